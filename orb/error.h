@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace corvo {
+
+/// Misuse or bad input: a value out of range, an unreadable file, an image of the wrong type. The
+/// message names the file or field, the value, and what is allowed. Losing track is not an Error.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws Error("<field> is <value>; allowed is <min> to <max>") unless min <= value <= max.
+/// NaN is never in range.
+template <typename T>
+void CheckRange(std::string_view field, const T& value, const T& min, const T& max) {
+  if (value >= min && value <= max) return;
+  std::ostringstream message;
+  message << field << " is " << value << "; allowed is " << min << " to " << max;
+  throw Error(message.str());
+}
+
+}  // namespace corvo

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "orb/types.h"
+
+namespace corvo::orb {
+
+/// Number of bits that differ, 0 to 256.
+int HammingDistance(const Descriptor& a, const Descriptor& b);
+
+}  // namespace corvo::orb

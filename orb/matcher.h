@@ -1,0 +1,82 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "orb/types.h"
+
+namespace corvo::orb {
+
+/// The nearest and second-nearest candidate of a query. Ties go to the lower index.
+struct Nearest {
+  int index = -1;             ///< Of the nearest; -1 where there is no candidate.
+  int distance = 257;         ///< Of the nearest, bits; 257 where there is none.
+  int second_distance = 257;  ///< Of the second nearest, bits; 257 where there is none.
+  int second_index = -1;      ///< Of the second nearest; -1 where there is none.
+
+  bool operator==(const Nearest&) const = default;
+};
+
+/// Keypoint `query` of one image corresponds to keypoint `train` of another.
+struct Match {
+  int query = -1;
+  int train = -1;
+  int distance = 257;  ///< Bits.
+
+  bool operator==(const Match&) const = default;
+};
+
+/// Exact two nearest neighbours of every query among all of `train`, in query order.
+std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
+                                 std::span<const Descriptor> train);
+
+/// Finds the keypoints near a pixel. Copies what it needs of the keypoints.
+class KeypointIndex {
+ public:
+  KeypointIndex() = default;
+  explicit KeypointIndex(std::span<const Keypoint> keypoints, float cell_size_px = 24);
+
+  /// Appends to `found` the indices of keypoints within `radius` px of (x, y) (Euclidean) whose
+  /// octave is in [min_octave, max_octave], in ascending order.
+  void Find(float x, float y, float radius, int min_octave, int max_octave,
+            std::vector<int>& found) const;
+};
+
+/// Where to look for a query: a disc in the train image and a range of octaves.
+struct SearchWindow {
+  float x = 0;
+  float y = 0;
+  float radius = 0;  ///< px
+  int min_octave = 0;
+  int max_octave = 0;
+};
+
+/// As FindNearest, but query i sees only the train keypoints inside windows[i].
+std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
+                                          std::span<const SearchWindow> windows,
+                                          std::span<const Descriptor> train,
+                                          const KeypointIndex& train_index);
+
+/// Nearest neighbours at most `max_distance` bits away, as matches in query order.
+std::vector<Match> KeepNear(std::span<const Nearest> nearest, int max_distance);
+
+/// Lowe's ratio test, decided in integers where it can be: keeps a query whose distance is below
+/// `ratio` times its second distance, and clears (index -1) all others. A query with a single
+/// candidate is kept.
+std::vector<Nearest> KeepDistinct(std::span<const Nearest> nearest, double ratio);
+
+/// Keeps matches whose train keypoint has the query as its own nearest neighbour.
+std::vector<Match> KeepMutual(std::span<const Match> matches,
+                              std::span<const Nearest> nearest_of_train);
+
+/// Where several queries chose one train keypoint, keeps the nearest (ties: the lowest query).
+std::vector<Match> KeepUnique(std::span<const Match> matches);
+
+/// Keeps the matches whose change of angle, train minus query, lies in one of the three fullest of
+/// `bins` bins around the circle (a bin with less than a tenth of the fullest does not count).
+std::vector<Match> KeepConsistentRotation(std::span<const Match> matches,
+                                          std::span<const Keypoint> query_keypoints,
+                                          std::span<const Keypoint> train_keypoints,
+                                          int bins = 30);
+
+}  // namespace corvo::orb

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+namespace corvo::orb {
+
+/// What ranks corners inside a grid cell.
+enum class Ranking { kFast, kHarris };
+
+/// Options of Extractor. `Visit` names every field once, with its range and meaning: validation,
+/// the configuration reader and the generated `configs/default.yaml` all come from it.
+struct ExtractorOptions {
+  int num_features = 0;
+  int num_levels = 8;
+  double scale_factor = 1.2;
+  int fast_threshold = 20;
+  int min_fast_threshold = 7;
+  Ranking ranking = Ranking::kFast;
+  bool grid = true;
+  int cell_size_px = 32;
+  int orientation_bins = 30;
+  bool upright = false;
+
+  /// Throws corvo::Error naming the first field out of range.
+  void Validate() const;
+
+  /// Calls `field(name, value, min, max, meaning)` for numbers, `field(name, value, meaning)` for
+  /// booleans and enumerations, in order. `Self` is `ExtractorOptions` or its const.
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("num_features", self.num_features, 0, 100000,
+          "keypoints an image; 0: 1000, or 2000 for images at least 1000 px wide");
+    field("num_levels", self.num_levels, 1, 32, "levels of the image pyramid");
+    field("scale_factor", self.scale_factor, 1.01, 4.0, "ratio of one level's size to the next");
+    field("fast_threshold", self.fast_threshold, 1, 254, "FAST threshold, grey levels");
+    field("min_fast_threshold", self.min_fast_threshold, 1, 254,
+          "FAST threshold of cells that are short of corners; at most fast_threshold");
+    field("ranking", self.ranking, "what ranks corners: fast (score) or harris (response)");
+    field("grid", self.grid, "spread keypoints over grid cells; false: the strongest anywhere");
+    field("cell_size_px", self.cell_size_px, 8, 1000, "side of a grid cell, px of its own level");
+    field("orientation_bins", self.orientation_bins, 1, 256, "directions of the rotated pattern");
+    field("upright", self.upright, "do not rotate the pattern (BRIEF)");
+  }
+};
+
+}  // namespace corvo::orb

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace corvo::orb {
+
+/// An oriented FAST corner. Integer coordinates are pixel centres.
+struct Keypoint {
+  float x = 0;          ///< Column in the input image (level 0), px.
+  float y = 0;          ///< Row in the input image (level 0), px.
+  float angle_deg = 0;  ///< Direction of the intensity centroid, [0, 360), from x towards y.
+  float response = 0;   ///< FAST score or Harris response, as ranked; comparable within one image.
+  int octave = 0;       ///< Pyramid level of the detection, 0 the finest.
+
+  bool operator==(const Keypoint&) const = default;
+};
+
+/// 256 binary tests. Test i is bit i % 8 of byte i / 8.
+struct alignas(8) Descriptor {
+  std::array<std::uint8_t, 32> bytes{};
+
+  bool operator==(const Descriptor&) const = default;
+};
+
+/// Keypoints and their descriptors, index by index.
+struct Features {
+  std::vector<Keypoint> keypoints;
+  std::vector<Descriptor> descriptors;
+
+  bool operator==(const Features&) const = default;
+};
+
+}  // namespace corvo::orb

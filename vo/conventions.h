@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+/// corvo's conventions, stated once.
+///
+/// Transforms are named `target_from_source`, points `x_in_frame`:
+///
+///     x_in_world = world_from_camera * x_in_camera
+///
+/// Camera axes: x right, y down, z forward. Integer pixel coordinates are pixel centres.
+/// Time is integer nanoseconds. Units other than SI stand in names (`_px`, `_deg`, `_ms`).
+/// The scale of a monocular trajectory is arbitrary: every pose belongs to a segment, and poses
+/// compare only within one.
+/// SE3 is stored as [qx qy qz qw tx ty tz]. Perturbations act on the right, translation first:
+/// `T * Exp([υ ω])`; covariances use the same tangent.
+namespace corvo {
+
+/// Ids are dense, start at 0 in creation order and are never reused.
+using KeyframeId = int;
+using LandmarkId = int;
+inline constexpr int kNone = -1;  ///< No such keyframe, landmark or keypoint.
+
+using TimeNs = std::int64_t;
+
+}  // namespace corvo

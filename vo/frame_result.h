@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "vo/conventions.h"
+#include "vo/lie/se3.h"
+
+namespace corvo {
+
+enum class State {
+  kInitializing,  ///< No map in this segment yet.
+  kTracking,      ///< The frame was located in the map.
+  kLost,          ///< The frame could not be located; the next one starts a new segment.
+};
+
+/// Why a frame is not posed (or what happened to one that is).
+enum class Reason {
+  kNone,               ///< Posed.
+  kReferenceFrame,     ///< Initialising: this frame is the new reference.
+  kTooFewFeatures,     ///< Too few keypoints: dark, blurred or blank.
+  kTooFewMatches,      ///< Too few keypoints match the reference or the map.
+  kLowParallax,        ///< Initialising: standing still, or not moved enough yet.
+  kRotationOnly,       ///< Initialising: the camera turned but did not move.
+  kPlanar,             ///< Initialising: a homography explains the matches; motion is ambiguous.
+  kAmbiguousMotion,    ///< Initialising: no motion explains the matches clearly best.
+  kBadTriangulation,   ///< Initialising: too few points lie in front, with parallax and low error.
+  kTooFewInliers,      ///< Tracking: too few landmarks agree with a pose.
+};
+
+std::string_view ToString(State state);
+std::string_view ToString(Reason reason);
+
+/// What happened to one input frame. A value.
+struct FrameResult {
+  int index = 0;  ///< Of the input frame, from 0.
+  TimeNs time_ns = 0;
+  State state = State::kInitializing;
+  Reason reason = Reason::kNone;
+  int segment = kNone;  ///< Poses compare only within one segment. kNone before the first.
+  /// Set if and only if the frame is posed: located from enough inlier landmarks, while tracking
+  /// or afterwards by pose optimisation. Never held, predicted or interpolated.
+  std::optional<SE3> world_from_camera;
+  bool is_keyframe = false;
+  int num_features = 0;
+  int num_matches = 0;  ///< With the reference frame (initialising) or with landmarks (tracking).
+  int num_inliers = 0;  ///< Of num_matches, those that agree with the motion or pose.
+  double parallax_deg = 0;  ///< Median over the matches, rotation removed.
+};
+
+}  // namespace corvo
