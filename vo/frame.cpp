@@ -1,0 +1,26 @@
+#include "vo/frame.h"
+
+#include <utility>
+
+namespace corvo {
+
+Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera) {
+  Frame frame;
+  frame.index = index;
+  frame.time_ns = time_ns;
+  frame.rays.reserve(features.keypoints.size());
+  for (std::size_t i = 0; i < features.keypoints.size(); ++i) {
+    const orb::Keypoint& keypoint = features.keypoints[i];
+    const std::optional<Eigen::Vector2d> ray =
+        camera.Undistort(Eigen::Vector2d(keypoint.x, keypoint.y));
+    if (!ray) continue;
+    frame.features.keypoints.push_back(keypoint);
+    frame.features.descriptors.push_back(features.descriptors[i]);
+    frame.rays.push_back(*ray);
+  }
+  frame.landmarks.assign(frame.rays.size(), kNone);
+  frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
+  return frame;
+}
+
+}  // namespace corvo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "orb/matcher.h"
+#include "orb/types.h"
+#include "vo/camera.h"
+#include "vo/conventions.h"
+#include "vo/lie/se3.h"
+
+namespace corvo {
+
+/// One image's features and what they are known to see. A value that is moved on.
+struct Frame {
+  int index = 0;  ///< Of the input frame, from 0.
+  TimeNs time_ns = 0;
+  orb::Features features;  ///< Keypoints keep their measured pixel.
+  orb::KeypointIndex keypoint_index;
+  std::vector<Eigen::Vector2d> rays;  ///< (x/z, y/z) of each keypoint, by the camera.
+  std::vector<LandmarkId> landmarks;  ///< Seen by each keypoint, or kNone.
+  SE3 world_from_camera;
+
+  int num_keypoints() const { return static_cast<int>(features.keypoints.size()); }
+  const orb::Keypoint& keypoint(int i) const { return features.keypoints[i]; }
+  const orb::Descriptor& descriptor(int i) const { return features.descriptors[i]; }
+  Eigen::Vector2d pixel(int i) const { return {keypoint(i).x, keypoint(i).y}; }
+};
+
+/// Keypoints without a ray through the camera (outside the domain of its distortion) are dropped.
+Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera);
+
+}  // namespace corvo

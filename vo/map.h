@@ -1,0 +1,109 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "orb/types.h"
+#include "vo/conventions.h"
+#include "vo/frame.h"
+
+namespace corvo {
+
+/// Keypoint `keypoint` of keyframe `keyframe` sees a landmark.
+struct Observation {
+  KeyframeId keyframe = kNone;
+  int keypoint = kNone;
+
+  bool operator==(const Observation&) const = default;
+};
+
+/// A 3D point and how it looks.
+struct Landmark {
+  LandmarkId id = kNone;
+  int segment = 0;
+  Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
+  std::vector<Observation> observations;  ///< At most one a keyframe, in ascending keyframe.
+  KeyframeId newest_keyframe = kNone;  ///< The newest keyframe when the landmark was made.
+  orb::Descriptor descriptor;          ///< The medoid of its observations' descriptors.
+  Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
+  double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
+  int num_visible = 1;      ///< Frames in which it should have been seen.
+  int num_found = 1;        ///< Frames in which it was.
+};
+
+/// A frame kept in the map. A retired keyframe has lost its features and observations; its pose
+/// hangs on another keyframe.
+struct Keyframe {
+  KeyframeId id = kNone;
+  int segment = 0;
+  Frame frame;
+  KeyframeId anchor = kNone;  ///< kNone unless retired.
+  SE3 anchor_from_keyframe;   ///< Where it was relative to `anchor` when it retired.
+
+  bool retired() const { return anchor != kNone; }
+};
+
+/// A keyframe and the number of landmarks that it shares with another.
+struct Covisible {
+  KeyframeId keyframe = kNone;
+  int num_shared = 0;
+};
+
+/// Owns keyframes and landmarks. Links between them are ids, kept consistent both ways: keypoint k
+/// of keyframe f names landmark l if and only if l has the observation (f, k).
+class Map {
+ public:
+  int num_keyframes() const { return static_cast<int>(keyframes_.size()); }  ///< Retired included.
+  int num_landmark_ids() const { return static_cast<int>(landmarks_.size()); }
+  const Keyframe& keyframe(KeyframeId id) const { return keyframes_[id]; }
+
+  /// Null if there is none, or it was removed.
+  const Landmark* FindLandmark(LandmarkId id) const;
+  /// The landmark that `id` was merged into, directly or by stages; `id` itself if it lives;
+  /// kNone if it was removed.
+  LandmarkId Resolve(LandmarkId id) const;
+
+  /// Pose of any keyframe, retired ones through their anchors.
+  SE3 WorldFromKeyframe(KeyframeId id) const;
+
+  /// Keeps a frame; its `landmarks` become observations.
+  KeyframeId AddKeyframe(Frame frame, int segment);
+  /// Removes the keyframe's observations and features and hangs its pose on `anchor`.
+  void RetireKeyframe(KeyframeId id, KeyframeId anchor);
+  void SetPose(KeyframeId id, const SE3& world_from_camera);
+
+  /// Two or more observations, each of a keypoint that sees nothing yet.
+  LandmarkId AddLandmark(const Eigen::Vector3d& in_world, std::vector<Observation> observations);
+  void SetPosition(LandmarkId id, const Eigen::Vector3d& in_world);
+  void RemoveLandmark(LandmarkId id);
+  /// Moves the observations of `from` to `into` where `into` has none in that keyframe.
+  void MergeLandmark(LandmarkId from, LandmarkId into);
+  void CountVisible(LandmarkId id) { ++landmarks_[id]->num_visible; }
+  void CountFound(LandmarkId id) { ++landmarks_[id]->num_found; }
+
+  /// The keypoint must see nothing yet, and the landmark nothing in that keyframe.
+  void AddObservation(LandmarkId id, const Observation& observation);
+  /// Removes the landmark too when fewer than two observations are left.
+  void RemoveObservation(LandmarkId id, KeyframeId keyframe);
+
+  /// Recomputes descriptor, view direction and distance from the observations.
+  void UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scales);
+
+  /// Keyframes that share at least `min_shared` landmarks with `id`, most first, then newest first.
+  std::vector<Covisible> FindCovisible(KeyframeId id, int min_shared = 1) const;
+  /// As FindCovisible for a frame that is not in the map.
+  std::vector<Covisible> FindCovisible(const Frame& frame, int min_shared = 1) const;
+
+ private:
+  std::vector<Covisible> CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,
+                                     int min_shared) const;
+
+  std::deque<Keyframe> keyframes_;
+  std::deque<std::optional<Landmark>> landmarks_;
+  std::deque<LandmarkId> merged_into_;
+};
+
+}  // namespace corvo
