@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Installs what corvo needs to build and to run, on Debian 12 and Ubuntu 24.04. Installs only what
+# is missing, says so first, and needs neither root nor a network when nothing is.
+#
+#   install_dependencies.sh [--development]
+#
+#   --development   also clang 14, clang-format 14 and clang-tidy 14, as continuous integration uses
+set -euo pipefail
+
+# libopencv-dev whole: its component packages carry no CMake files.
+packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libcli11-dev
+  libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev gnuplot-nox)
+development=(clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14)
+
+usage() { sed -n '2,7s/^# \{0,1\}//p' "$0"; }
+
+fail_unsupported() {
+  cat >&2 <<'TEXT'
+install_dependencies.sh: this system has no apt-get and dpkg; it can install on Debian 12 and
+Ubuntu 24.04 only. Install these yourself, with their headers and CMake files, and build with
+`cmake --preset release && cmake --build --preset release`:
+  a C++20 compiler (g++ 12 or clang 14, or later), CMake 3.22 or later, Ninja,
+  Eigen 3.4, OpenCV 4.6 or later (core imgproc imgcodecs features2d calib3d), Ceres 2.1 or later,
+  TBB, CLI11, yaml-cpp, fmt, spdlog, nlohmann-json, GoogleTest with gmock, and gnuplot for pictures
+TEXT
+  exit 1
+}
+
+is_installed() {
+  [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "install_dependencies.sh: needs root, and there is no sudo; as root, run:" >&2
+    echo "  apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+}
+
+for argument in "$@"; do
+  case $argument in
+    --development) packages+=("${development[@]}") ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "install_dependencies.sh: unknown argument $argument" >&2; usage >&2; exit 1 ;;
+  esac
+done
+command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || fail_unsupported
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "All ${#packages[@]} packages that corvo needs are installed."
+  exit 0
+fi
+
+echo "Installing ${#missing[@]} of ${#packages[@]} packages, with what they depend on: ${missing[*]}"
+as_root apt-get update -qq
+as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+  "${missing[@]}"
