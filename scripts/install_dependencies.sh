@@ -62,5 +62,6 @@ fi
 
 echo "Installing ${#missing[@]} of ${#packages[@]} packages, with what they depend on: ${missing[*]}"
 as_root apt-get update -qq
-as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q -o Dpkg::Use-Pty=0 \
+  --no-install-recommends \
   "${missing[@]}"

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds corvo and its tests, and runs every test.
+#
+#   test.sh [CMAKE_ARGUMENT...]     such as -DCORVO_WERROR=ON
+#
+# Tests on real images look for their data in CORVO_DATA, else in ../shared/data beside the project;
+# without the data they are skipped and listed at the end.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/install_dependencies.sh
+cmake --preset release "$@"
+cmake --build --preset release
+ctest --preset release --parallel 2 --no-tests=error
