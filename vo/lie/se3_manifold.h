@@ -1,0 +1,24 @@
+#pragma once
+
+#include <ceres/manifold.h>
+
+namespace corvo {
+
+/// SE3 for Ceres: ambient [qx qy qz qw tx ty tz], tangent [υ ω], perturbation on the right:
+///
+///     Plus(x, δ) = x * Exp(δ)              Minus(y, x) = Log(x⁻¹ y)
+///
+/// Both Jacobians are those of Plus and Minus themselves at zero, so costs give their derivatives
+/// by the ambient parameters, or (through a tangent of their own) chain with PlusJacobian. The
+/// quaternion may be off unit norm by rounding; it is normalised wherever it is read.
+class SE3Manifold final : public ceres::Manifold {
+ public:
+  int AmbientSize() const override { return 7; }
+  int TangentSize() const override { return 6; }
+  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
+  bool PlusJacobian(const double* x, double* jacobian) const override;
+  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
+  bool MinusJacobian(const double* x, double* jacobian) const override;
+};
+
+}  // namespace corvo

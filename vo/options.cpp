@@ -1,0 +1,37 @@
+#include "vo/options.h"
+
+#include <string>
+#include <type_traits>
+
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+/// Throws an Error of CheckRange whose field is "<section>.<name>".
+class RangeCheck {
+ public:
+  explicit RangeCheck(const char* section) : section_(section) {}
+
+  template <typename T>
+  void operator()(const char* name, const T& value, const std::type_identity_t<T>& min,
+                  const std::type_identity_t<T>& max, const char* /*meaning*/) const {
+    CheckRange(section_ + "." + name, value, min, max);
+  }
+
+  template <typename T>
+  void operator()(const char* /*name*/, const T& /*value*/, const char* /*meaning*/) const {}
+
+ private:
+  std::string section_;
+};
+
+}  // namespace
+
+void OdometryOptions::Validate() const {
+  VisitSections(*this, [](const char* name, const auto& section) {
+    std::decay_t<decltype(section)>::Visit(section, RangeCheck(name));
+  });
+}
+
+}  // namespace corvo
