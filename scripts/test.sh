@@ -3,8 +3,8 @@
 #
 #   test.sh [CMAKE_ARGUMENT...]     such as -DCORVO_WERROR=ON
 #
-# Tests on real images look for their data in CORVO_DATA, else in ../shared/data beside the project;
-# without the data they are skipped and listed at the end.
+# Tests on real images look for them in the folder that CORVO_DATA names; without the images they
+# are skipped and listed at the end.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
