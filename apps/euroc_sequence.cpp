@@ -1,0 +1,105 @@
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "apps/decimal_time.h"
+#include "apps/image_layouts.h"
+#include "apps/text_lines.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The camera's folder inside `mav0` or the folder that holds it.
+fs::path CameraFolder(const fs::path& input) {
+  const fs::path nested = input / "mav0" / "cam0";
+  return fs::is_directory(nested) ? nested : input / "cam0";
+}
+
+/// YAML as OpenCV writes it starts with "%YAML:1.0", which YAML itself does not allow.
+YAML::Node LoadSensorYaml(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Error(fmt::format("{}: cannot be read", file.string()));
+  std::stringstream text;
+  for (std::string line; std::getline(stream, line);) {
+    text << (line.rfind('%', 0) == 0 ? "" : line) << '\n';
+  }
+  return YAML::Load(text);
+}
+
+/// `count` numbers (or more, up to `max_count`) of a sequence.
+std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::size_t count,
+                                std::size_t max_count) {
+  const YAML::Node node = root[key];
+  if (!node) throw Error(fmt::format("{} is missing", key));
+  if (!node.IsSequence() || node.size() < count || node.size() > max_count) {
+    throw Error(fmt::format("{} is not a list of {} numbers", key, count));
+  }
+  std::vector<double> numbers;
+  for (const YAML::Node& number : node) numbers.push_back(number.as<double>());
+  return numbers;
+}
+
+void CheckModel(const YAML::Node& root, const char* key, const char* supported) {
+  const auto model = root[key].as<std::string>("");
+  if (model == supported) return;
+  throw Error(fmt::format("{} is '{}'; supported is {}", key, model, supported));
+}
+
+Camera ParseCamera(const YAML::Node& root) {
+  CheckModel(root, "camera_model", "pinhole");
+  CheckModel(root, "distortion_model", "radial-tangential");
+  const std::vector<double> size = ReadNumbers(root, "resolution", 2, 2);
+  const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
+  std::vector<double> distortion = ReadNumbers(root, "distortion_coefficients", 4, 5);
+  distortion.resize(5, 0.0);
+  Camera camera;
+  camera.width = static_cast<int>(size[0]);
+  camera.height = static_cast<int>(size[1]);
+  camera.fx = intrinsics[0];
+  camera.fy = intrinsics[1];
+  camera.cx = intrinsics[2];
+  camera.cy = intrinsics[3];
+  camera.k1 = distortion[0];
+  camera.k2 = distortion[1];
+  camera.p1 = distortion[2];
+  camera.p2 = distortion[3];
+  camera.k3 = distortion[4];
+  return camera;
+}
+
+Camera ReadCamera(const fs::path& file) {
+  try {
+    return ParseCamera(LoadSensorYaml(file));
+  } catch (const YAML::Exception& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+bool IsEurocSequence(const fs::path& input) { return fs::exists(CameraFolder(input) / "data.csv"); }
+
+ImageList ListEurocImages(const fs::path& input) {
+  ImageList list{"euroc", {}, {}};
+  const fs::path folder = CameraFolder(input);
+  const fs::path file = folder / "data.csv";
+  for (const TextLine& line : ReadTextLines(file)) {
+    const std::string where = LinePrefix(file, line);
+    const std::vector<std::string> fields = SplitFields(line.text, ',');
+    if (fields.size() != 2 || fields[1].empty()) {
+      throw Error(fmt::format("{}'{}' is not 'timestamp [ns],filename'", where, line.text));
+    }
+    list.images.push_back({folder / "data" / fields[1], ParseNanoseconds(fields[0], where)});
+  }
+  if (fs::exists(folder / "sensor.yaml")) list.camera = ReadCamera(folder / "sensor.yaml");
+  return list;
+}
+
+}  // namespace corvo

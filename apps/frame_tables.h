@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "vo/odometry.h"
+#include "vo/trajectory.h"
+
+namespace corvo {
+
+/// Wall time of one frame, ms.
+struct FrameTiming {
+  double read_ms = 0;  ///< Reading and decoding the picture.
+  StageTimes stages;
+  double total_ms = 0;  ///< Odometry::Process as a whole.
+};
+
+/// CSV, a header and one row an input frame. Timestamps are seconds with nine decimals, `segment`
+/// is -1 before the first, `posed` is 0 or 1, `parallax` is in degrees.
+std::string FrameTable(const Trajectory& trajectory);
+
+/// CSV, a header and one row an input frame.
+std::string TimingTable(const std::vector<FrameTiming>& timings);
+
+/// "12.034567890": exact.
+std::string FormatSeconds(TimeNs time_ns);
+
+}  // namespace corvo

@@ -1,0 +1,43 @@
+#include "apps/map_ply.h"
+
+#include <fmt/format.h>
+
+namespace corvo {
+namespace {
+
+constexpr const char* kLandmarkColour = "160 160 160";
+constexpr const char* kKeyframeColour = "220 30 30";
+
+std::string Vertex(const Eigen::Vector3d& in_world, const char* colour, int segment) {
+  return fmt::format("{:.9g} {:.9g} {:.9g} {} {}\n", in_world.x(), in_world.y(), in_world.z(),
+                     colour, segment);
+}
+
+std::string Header(int num_vertices) {
+  return fmt::format(
+      "ply\nformat ascii 1.0\ncomment corvo map: landmarks grey, keyframes red\n"
+      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int segment\n"
+      "end_header\n",
+      num_vertices);
+}
+
+}  // namespace
+
+std::string MapPly(const Map& map) {
+  std::string vertices;
+  int num_vertices = map.num_keyframes();
+  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
+    const Landmark* landmark = map.FindLandmark(id);
+    if (landmark == nullptr) continue;
+    vertices += Vertex(landmark->in_world, kLandmarkColour, landmark->segment);
+    ++num_vertices;
+  }
+  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
+    vertices +=
+        Vertex(map.WorldFromKeyframe(id).translation(), kKeyframeColour, map.keyframe(id).segment);
+  }
+  return Header(num_vertices) + vertices;
+}
+
+}  // namespace corvo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vo/trajectory.h"
+
+namespace corvo {
+
+/// What a picture of a trajectory shows, all in one world frame.
+struct TrajectoryPlot {
+  std::vector<PoseSequence> segments;  ///< The estimate; each in a colour of its own.
+  PoseSequence truth;                  ///< Empty if there is none.
+};
+
+/// The gnuplot script that writes the picture, as PNG, to standard output: the path in the plane of
+/// the two axes that extend furthest (of the truth, if given), and the third axis over time.
+std::string PlotScript(const TrajectoryPlot& plot);
+
+/// Draws with gnuplot. False, with no file left, where gnuplot is missing or fails.
+bool DrawTrajectory(const TrajectoryPlot& plot, const std::filesystem::path& png);
+
+}  // namespace corvo
