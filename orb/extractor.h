@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "orb/options.h"
+#include "orb/pattern.h"
 #include "orb/types.h"
 
 namespace corvo::orb {
@@ -14,7 +15,8 @@ namespace corvo::orb {
 /// The same image and options give the same bits, whatever the number of threads.
 class Extractor {
  public:
-  /// `threads` levels are worked on at once. Throws corvo::Error on options out of range.
+  /// `threads` (1 to 256) levels are worked on at once. Throws corvo::Error on options out of
+  /// range.
   explicit Extractor(const ExtractorOptions& options = {}, int threads = 1);
 
   /// `image` is 8-bit, one channel. `mask` is empty or of the image's size, 8-bit: keypoints are
@@ -31,6 +33,7 @@ class Extractor {
   ExtractorOptions options_;
   int threads_;
   std::vector<double> octave_scales_;
+  RotatedPatterns patterns_;
 };
 
 }  // namespace corvo::orb

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "orb/keypoint_index.h"
 #include "orb/types.h"
 
 namespace corvo::orb {
@@ -30,18 +31,6 @@ struct Match {
 std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
                                  std::span<const Descriptor> train);
 
-/// Finds the keypoints near a pixel. Copies what it needs of the keypoints.
-class KeypointIndex {
- public:
-  KeypointIndex() = default;
-  explicit KeypointIndex(std::span<const Keypoint> keypoints, float cell_size_px = 24);
-
-  /// Appends to `found` the indices of keypoints within `radius` px of (x, y) (Euclidean) whose
-  /// octave is in [min_octave, max_octave], in ascending order.
-  void Find(float x, float y, float radius, int min_octave, int max_octave,
-            std::vector<int>& found) const;
-};
-
 /// Where to look for a query: a disc in the train image and a range of octaves.
 struct SearchWindow {
   float x = 0;
@@ -51,7 +40,8 @@ struct SearchWindow {
   int max_octave = 0;
 };
 
-/// As FindNearest, but query i sees only the train keypoints inside windows[i].
+/// As FindNearest, but query i sees only the train keypoints inside windows[i]. `train_index` is of
+/// the keypoints that `train` describes. Throws corvo::Error where the sizes do not fit.
 std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
                                           std::span<const SearchWindow> windows,
                                           std::span<const Descriptor> train,
@@ -65,7 +55,8 @@ std::vector<Match> KeepNear(std::span<const Nearest> nearest, int max_distance);
 /// candidate is kept.
 std::vector<Nearest> KeepDistinct(std::span<const Nearest> nearest, double ratio);
 
-/// Keeps matches whose train keypoint has the query as its own nearest neighbour.
+/// Keeps matches whose train keypoint has the query as its own nearest neighbour. Throws
+/// corvo::Error on a match without an entry of `nearest_of_train`.
 std::vector<Match> KeepMutual(std::span<const Match> matches,
                               std::span<const Nearest> nearest_of_train);
 
@@ -73,10 +64,11 @@ std::vector<Match> KeepMutual(std::span<const Match> matches,
 std::vector<Match> KeepUnique(std::span<const Match> matches);
 
 /// Keeps the matches whose change of angle, train minus query, lies in one of the three fullest of
-/// `bins` bins around the circle (a bin with less than a tenth of the fullest does not count).
+/// `bins` bins around the circle (a bin with less than a tenth of the fullest does not count; ties
+/// go to the lower bin). The first bin is centred on 0. Throws corvo::Error on a match without its
+/// keypoints and on fewer than 1 bin.
 std::vector<Match> KeepConsistentRotation(std::span<const Match> matches,
                                           std::span<const Keypoint> query_keypoints,
-                                          std::span<const Keypoint> train_keypoints,
-                                          int bins = 30);
+                                          std::span<const Keypoint> train_keypoints, int bins = 30);
 
 }  // namespace corvo::orb

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace corvo::orb {
 
 /// What ranks corners inside a grid cell.
 enum class Ranking { kFast, kHarris };
+
+/// "fast" or "harris".
+std::string_view ToString(Ranking ranking);
+
+/// The ranking of that name. Throws corvo::Error on any other.
+Ranking ParseRanking(std::string_view name);
 
 /// Options of Extractor. `Visit` names every field once, with its range and meaning: validation,
 /// the configuration reader and the generated `configs/default.yaml` all come from it.
@@ -21,7 +28,8 @@ struct ExtractorOptions {
   int orientation_bins = 30;
   bool upright = false;
 
-  /// Throws corvo::Error naming the first field out of range.
+  /// Throws corvo::Error naming the first field out of range, or min_fast_threshold where it
+  /// exceeds fast_threshold.
   void Validate() const;
 
   /// Calls `field(name, value, min, max, meaning)` for numbers, `field(name, value, meaning)` for

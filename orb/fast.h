@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+namespace corvo::orb {
+
+/// A FAST corner: integer pixel and score.
+struct Corner {
+  int x = 0;
+  int y = 0;
+  int score = 0;  ///< The largest threshold at which the pixel is still a corner, grey levels.
+
+  bool operator==(const Corner&) const = default;
+};
+
+/// FAST-9 corners after 3x3 non-maximum suppression, in row-major order (Rosten and Drummond,
+/// "Machine learning for high-speed corner detection", ECCV 2006): pixels with 9 contiguous pixels
+/// of the 16 on the circle of radius 3 all brighter than the centre by more than `threshold`, or
+/// all darker; of these, the ones whose score exceeds that of all 8 neighbours (neighbours of equal
+/// score suppress one another). Hence the corners at a higher threshold are those of this score.
+/// `image` is 8-bit, one channel; `threshold` 1 to 254. Returned are the corners of the whole image
+/// that lie in `region`; within 3 px of the image's edge there are none.
+std::vector<Corner> DetectFast(const cv::Mat& image, int threshold, const cv::Rect& region);
+
+/// As above, over the whole image.
+std::vector<Corner> DetectFast(const cv::Mat& image, int threshold);
+
+}  // namespace corvo::orb

@@ -1,0 +1,30 @@
+#include "orb/harris.h"
+
+#include <cstddef>
+
+namespace corvo::orb {
+
+std::int64_t HarrisResponse(const cv::Mat& image, int x, int y) {
+  constexpr int kRadius = 3;
+  const auto stride = static_cast<std::ptrdiff_t>(image.step);
+  std::int64_t xx = 0;
+  std::int64_t xy = 0;
+  std::int64_t yy = 0;
+  for (int row = y - kRadius; row <= y + kRadius; ++row) {
+    const std::uint8_t* here = image.ptr<std::uint8_t>(row) + x;
+    const std::uint8_t* above = here - stride;
+    const std::uint8_t* below = here + stride;
+    for (int i = -kRadius; i <= kRadius; ++i) {
+      const int gx = (above[i + 1] - above[i - 1]) + 2 * (here[i + 1] - here[i - 1]) +
+                     (below[i + 1] - below[i - 1]);
+      const int gy =
+          (below[i - 1] - above[i - 1]) + 2 * (below[i] - above[i]) + (below[i + 1] - above[i + 1]);
+      xx += gx * gx;
+      xy += gx * gy;
+      yy += gy * gy;
+    }
+  }
+  return 25 * (xx * yy - xy * xy) - (xx + yy) * (xx + yy);
+}
+
+}  // namespace corvo::orb

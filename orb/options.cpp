@@ -1,0 +1,37 @@
+#include "orb/options.h"
+
+#include <string>
+
+#include "orb/error.h"
+
+namespace corvo::orb {
+namespace {
+
+/// Throws on a number out of its range; what has no range passes.
+struct CheckField {
+  template <typename T>
+  void operator()(std::string_view name, const T& value, T min, T max, std::string_view) const {
+    CheckRange(name, value, min, max);
+  }
+  template <typename T>
+  void operator()(std::string_view, const T&, std::string_view) const {}
+};
+
+}  // namespace
+
+std::string_view ToString(Ranking ranking) {
+  return ranking == Ranking::kHarris ? "harris" : "fast";
+}
+
+Ranking ParseRanking(std::string_view name) {
+  if (name == "fast") return Ranking::kFast;
+  if (name == "harris") return Ranking::kHarris;
+  throw Error("ranking is \"" + std::string(name) + "\"; allowed is fast or harris");
+}
+
+void ExtractorOptions::Validate() const {
+  Visit(*this, CheckField{});
+  CheckRange("min_fast_threshold", min_fast_threshold, 1, fast_threshold);
+}
+
+}  // namespace corvo::orb
