@@ -1,0 +1,49 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace corvo::test {
+
+/// Root of the project's sources.
+std::filesystem::path SourceDir();
+
+/// A file or folder of the test data: below $CORVO_DATA, or `../shared/data` seen from the
+/// project's root. It may not exist.
+std::filesystem::path DataPath(const std::filesystem::path& relative);
+
+/// Where $CI is set, missing data is a failure, elsewhere a visible skip.
+bool DataIsRequired();
+
+/// An empty folder for one test's files, removed with the object.
+class TemporaryDir {
+ public:
+  TemporaryDir();
+  ~TemporaryDir();
+  TemporaryDir(const TemporaryDir&) = delete;
+  TemporaryDir& operator=(const TemporaryDir&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Writes a file into the folder and returns its path.
+  std::filesystem::path Write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The whole of a file. Fails the test if it cannot be read.
+std::string ReadFile(const std::filesystem::path& path);
+
+}  // namespace corvo::test
+
+/// First statement of a test that reads the real images: CORVO_REQUIRE_DATA("kitti/sequences/03");
+#define CORVO_REQUIRE_DATA(relative)                                                      \
+  do {                                                                                    \
+    const std::filesystem::path corvo_data_path = ::corvo::test::DataPath(relative);      \
+    if (std::filesystem::exists(corvo_data_path)) break;                                  \
+    if (::corvo::test::DataIsRequired()) FAIL() << "no test data at " << corvo_data_path; \
+    GTEST_SKIP() << "no test data at " << corvo_data_path;                                \
+  } while (false)

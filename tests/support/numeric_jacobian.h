@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vo/lie/se3.h"
+
+namespace corvo::test {
+
+/// d f(δ)/dδ at δ = 0 by central differences of fourth order. `f` takes an
+/// Eigen::Matrix<double, Cols, 1> and returns something convertible to Eigen::Matrix<double, Rows,
+/// 1>; where its domain or range is a manifold, it applies Exp and Log itself. Correct to about
+/// 1e-11 for functions with derivatives of order 1; a smaller step suits sharper functions.
+template <int Rows, int Cols, typename Function>
+Eigen::Matrix<double, Rows, Cols> NumericJacobian(const Function& f, double step = 1e-3) {
+  using Tangent = Eigen::Matrix<double, Cols, 1>;
+  using Value = Eigen::Matrix<double, Rows, 1>;
+  Eigen::Matrix<double, Rows, Cols> jacobian;
+  for (int i = 0; i < Cols; ++i) {
+    const Tangent delta = step * Tangent::Unit(i);
+    const Value near = Value(f(delta)) - Value(f(-delta));
+    const Value far = Value(f(2 * delta)) - Value(f(-2 * delta));
+    jacobian.col(i) = (8 * near - far) / (12 * step);
+  }
+  return jacobian;
+}
+
+/// d f(x + δ)/dδ for a vector x.
+template <int Rows, int Cols, typename Function>
+Eigen::Matrix<double, Rows, Cols> NumericJacobianAt(const Eigen::Matrix<double, Cols, 1>& x,
+                                                    const Function& f, double step = 1e-3) {
+  using Vector = Eigen::Matrix<double, Cols, 1>;
+  return NumericJacobian<Rows, Cols>([&](const Vector& delta) { return f(Vector(x + delta)); },
+                                     step);
+}
+
+/// d f(pose * Exp(δ))/dδ: corvo's perturbation, on the right, translation first.
+template <int Rows, typename Function>
+Eigen::Matrix<double, Rows, 6> NumericJacobianAt(const SE3& pose, const Function& f,
+                                                 double step = 1e-3) {
+  return NumericJacobian<Rows, 6>(
+      [&](const SE3::Tangent& delta) { return f(pose * SE3::Exp(delta)); }, step);
+}
+
+}  // namespace corvo::test
