@@ -50,14 +50,14 @@ void CheckModel(const YAML::Node& root, const char* key, const char* supported) 
   throw Error(fmt::format("{} is '{}'; supported is {}", key, model, supported));
 }
 
-Camera ParseCamera(const YAML::Node& root) {
+CameraParameters ParseCamera(const YAML::Node& root) {
   CheckModel(root, "camera_model", "pinhole");
   CheckModel(root, "distortion_model", "radial-tangential");
   const std::vector<double> size = ReadNumbers(root, "resolution", 2, 2);
   const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
   std::vector<double> distortion = ReadNumbers(root, "distortion_coefficients", 4, 5);
   distortion.resize(5, 0.0);
-  Camera camera;
+  CameraParameters camera;
   camera.width = static_cast<int>(size[0]);
   camera.height = static_cast<int>(size[1]);
   camera.fx = intrinsics[0];
@@ -69,10 +69,11 @@ Camera ParseCamera(const YAML::Node& root) {
   camera.p1 = distortion[2];
   camera.p2 = distortion[3];
   camera.k3 = distortion[4];
+  camera.Validate();
   return camera;
 }
 
-Camera ReadCamera(const fs::path& file) {
+CameraParameters ReadCamera(const fs::path& file) {
   try {
     return ParseCamera(LoadSensorYaml(file));
   } catch (const YAML::Exception& error) {

@@ -19,9 +19,9 @@ struct TimedFile {
 
 /// The pictures of a sequence, in the order they were taken, and what its dataset says of them.
 struct ImageList {
-  std::string layout;             ///< "folder", "kitti", "euroc" or "tum".
-  std::vector<TimedFile> images;  ///< At least one; times ascend; every file exists.
-  std::optional<Camera> camera;   ///< Where the dataset ships a calibration.
+  std::string layout;                      ///< "folder", "kitti", "euroc" or "tum".
+  std::vector<TimedFile> images;           ///< At least one; times ascend; every file exists.
+  std::optional<CameraParameters> camera;  ///< Valid; where the dataset ships a calibration.
 };
 
 /// Recognises the layout of `input` by its files and lists its pictures. A folder that has no times

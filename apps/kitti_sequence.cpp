@@ -41,12 +41,12 @@ std::vector<TimeNs> ReadTimes(const fs::path& file) {
 }
 
 /// The 3x4 projection matrix of a row, row-major: [fx 0 cx . ; 0 fy cy . ; 0 0 1 .].
-Camera ParseProjection(const std::vector<std::string>& fields, const std::string& where) {
+CameraParameters ParseProjection(const std::vector<std::string>& fields, const std::string& where) {
   if (fields.size() != 13) {
     throw Error(fmt::format("{}{} values after {}; a projection matrix has 12", where,
                             fields.size() - 1, fields[0]));
   }
-  Camera camera;
+  CameraParameters camera;
   camera.fx = ParseNumber(fields[1], where);
   camera.cx = ParseNumber(fields[3], where);
   camera.fy = ParseNumber(fields[6], where);
@@ -54,15 +54,24 @@ Camera ParseProjection(const std::vector<std::string>& fields, const std::string
   return camera;
 }
 
+void ValidateCamera(const CameraParameters& camera, const std::string& where) {
+  try {
+    camera.Validate();
+  } catch (const Error& error) {
+    throw Error(where + error.what());
+  }
+}
+
 /// The file does not say the pictures' size: it is that of `first_image`.
-Camera ReadCamera(const fs::path& file, const char* row, const fs::path& first_image) {
+CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::path& first_image) {
   for (const TextLine& line : ReadTextLines(file)) {
     const std::vector<std::string> fields = SplitFields(line.text, ' ');
     if (fields.front() != row) continue;
-    Camera camera = ParseProjection(fields, LinePrefix(file, line));
+    CameraParameters camera = ParseProjection(fields, LinePrefix(file, line));
     const cv::Mat image = ReadGreyImage(first_image);
     camera.width = image.cols;
     camera.height = image.rows;
+    ValidateCamera(camera, LinePrefix(file, line));
     return camera;
   }
   throw Error(fmt::format("{}: has no row {}", file.string(), row));

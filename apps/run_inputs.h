@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "apps/image_source.h"
+#include "vo/camera.h"
+#include "vo/options.h"
+#include "vo/trajectory.h"
+
+namespace corvo {
+
+/// What the user asked `corvo run` for. Empty paths were not given.
+struct RunArguments {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::filesystem::path config;
+  std::filesystem::path camera;
+  std::filesystem::path truth;
+  std::optional<double> frame_rate_hz;
+  int threads = 1;
+};
+
+/// Everything a run reads but the pictures.
+struct RunInputs {
+  OdometryOptions options;
+  Camera camera;
+  ImageSource source;
+  PoseSequence truth;  ///< Empty if none was given.
+};
+
+/// Reads and checks all of it, and that the first picture has the camera's size. Throws
+/// corvo::Error.
+RunInputs ReadInputs(const RunArguments& arguments);
+
+/// Throws corvo::Error naming both sizes unless the picture has the camera's.
+void CheckSize(const cv::Mat& image, const Camera& camera, const std::filesystem::path& file);
+
+}  // namespace corvo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "orb/error.h"
+
+namespace corvo::test {
+
+/// The message of the corvo::Error that `action` throws; fails where it throws none.
+template <typename Action>
+std::string ErrorOf(Action&& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "expected a corvo::Error";
+  return "";
+}
+
+}  // namespace corvo::test

@@ -1,0 +1,70 @@
+#include "apps/output_folder.h"
+
+#include "tests/cli/expect_error.h"
+#include "tests/cli/temp_folder.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ReadText;
+using test::TempFolder;
+using test::WriteText;
+using ::testing::HasSubstr;
+
+int CountEntries(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(OutputFolder, PutsFilesInPlaceOnCommitOnly) {
+  TempFolder folder;
+  const fs::path out = folder / "a/b";
+  OutputFolder output(out);
+  output.Write("x.txt", "new");
+  EXPECT_FALSE(fs::exists(out / "x.txt"));
+  output.Commit({"x.txt"});
+  EXPECT_EQ(ReadText(out / "x.txt"), "new");
+}
+
+TEST(OutputFolder, LeavesEarlierResultsAloneWithoutCommit) {
+  TempFolder folder;
+  WriteText(folder / "x.txt", "old");
+  {
+    OutputFolder output(folder.path());
+    output.Write("x.txt", "new");
+  }
+  EXPECT_EQ(ReadText(folder / "x.txt"), "old");
+  EXPECT_EQ(CountEntries(folder.path()), 1);
+}
+
+TEST(OutputFolder, LeavesNoFolderItMadeWithoutCommit) {
+  TempFolder folder;
+  { OutputFolder output(folder / "new"); }
+  EXPECT_FALSE(fs::exists(folder / "new"));
+}
+
+TEST(OutputFolder, RemovesAnEarlierRunsFilesThatThisOneDoesNotWrite) {
+  TempFolder folder;
+  WriteText(folder / "picture.png", "old");
+  WriteText(folder / "users.txt", "kept");
+  {
+    OutputFolder output(folder.path());
+    output.Write("x.txt", "new");
+    output.Commit({"x.txt", "picture.png"});
+  }
+  EXPECT_FALSE(fs::exists(folder / "picture.png"));
+  EXPECT_TRUE(fs::exists(folder / "users.txt"));
+  EXPECT_EQ(CountEntries(folder.path()), 2);
+}
+
+TEST(OutputFolder, RefusesAFile) {
+  TempFolder folder;
+  WriteText(folder / "file", "");
+  EXPECT_THAT(test::ErrorOf([&] { OutputFolder output(folder / "file"); }),
+              HasSubstr("the output folder is a file"));
+  EXPECT_THAT(test::ErrorOf([&] { OutputFolder output(folder / "file/inside"); }),
+              HasSubstr("cannot be written"));
+}
+
+}  // namespace
+}  // namespace corvo
