@@ -1,0 +1,76 @@
+#include "apps/synthetic/sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/synthetic/random.h"
+#include "orb/error.h"
+
+namespace corvo::synthetic {
+namespace {
+
+/// A sample of the standard normal distribution, by the central limit: the sum of twelve uniform
+/// ones of variance 1/12 (so never beyond 6). Exact integers up to the last step.
+double StandardNormal(std::uint64_t seed, std::int64_t frame, std::int64_t pixel) {
+  const std::uint64_t key = Hash(seed, frame, pixel);
+  int sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::uint64_t bits = Mix(key + kGolden * static_cast<std::uint64_t>(i));
+    for (int shift = 0; shift < 64; shift += 16) sum += static_cast<int>(bits >> shift & 0xffff);
+  }
+  return (sum - 6 * 65535) / 65536.0;
+}
+
+void AddGaussianNoise(cv::Mat* image, const SequenceOptions& options, int frame) {
+  for (int y = 0; y < image->rows; ++y) {
+    std::uint8_t* row = image->ptr<std::uint8_t>(y);
+    for (int x = 0; x < image->cols; ++x) {
+      const double noise =
+          options.noise_sigma * StandardNormal(options.noise_seed, frame, y * image->cols + x);
+      row[x] = static_cast<std::uint8_t>(std::clamp(row[x] + noise + 0.5, 0.0, 255.0));
+    }
+  }
+}
+
+}  // namespace
+
+void SequenceOptions::Validate() const {
+  CheckRange("frames", frames, 1, 1000000);
+  if (width != 0) CheckRange("width", width, 64, 8192);
+  CheckRange("noise_sigma", noise_sigma, 0.0, 100.0);
+}
+
+Sequence::Sequence(std::string name, std::shared_ptr<const Scene> scene, const Camera& camera,
+                   double frame_rate_hz, const std::vector<SE3>& scene_from_camera,
+                   const SequenceOptions& options)
+    : name_(std::move(name)),
+      scene_(std::move(scene)),
+      renderer_(camera),
+      frame_rate_hz_(frame_rate_hz),
+      options_(options),
+      scene_from_world_(scene_from_camera.at(0)) {
+  options.Validate();
+  const SE3 world_from_scene = scene_from_world_.Inverse();
+  for (const SE3& pose : scene_from_camera) {
+    const double seconds = static_cast<double>(poses_.size()) / frame_rate_hz;
+    const SE3 world_from_camera = poses_.empty() ? SE3() : world_from_scene * pose;
+    poses_.push_back({static_cast<TimeNs>(std::llround(1e9 * seconds)), world_from_camera});
+  }
+}
+
+SE3 Sequence::scene_from_camera(int frame) const {
+  return scene_from_world_ * poses_.at(static_cast<std::size_t>(frame)).world_from_camera;
+}
+
+cv::Mat Sequence::Render(int frame) const {
+  cv::Mat image = renderer_.Render(*scene_, scene_from_camera(frame));
+  if (options_.noise_sigma > 0) AddGaussianNoise(&image, options_, frame);
+  return image;
+}
+
+cv::Mat Sequence::RenderDepth(int frame) const {
+  return renderer_.RenderDepth(*scene_, scene_from_camera(frame));
+}
+
+}  // namespace corvo::synthetic

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace corvo::synthetic {
+
+/// The middle of a road in the plane: straights, gentle bends to either side, and right angles of
+/// 12 m radius that turn left and right alternately, so that it never meets itself. Curvature is
+/// continuous.
+class StreetPath {
+ public:
+  struct Place {
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+    double heading = 0;                                  ///< rad, from x towards y.
+    double curvature = 0;                                ///< 1/m, positive to the left.
+
+    /// The point `left` metres beside the middle.
+    Eigen::Vector2d Beside(double left) const;
+  };
+
+  /// Starts at the origin along x.
+  explicit StreetPath(double length);
+
+  double length() const;
+  /// After `distance` metres, clamped to the road.
+  Place At(double distance) const;
+
+  /// From a point to the nearest place of the road between two distances along it, m.
+  double Clearance(const Eigen::Vector2d& point, double from, double to) const;
+
+ private:
+  std::vector<Place> places_;  ///< Every kStep metres.
+};
+
+}  // namespace corvo::synthetic
