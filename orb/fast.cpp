@@ -11,6 +11,7 @@ namespace {
 constexpr int kRadius = 3;
 constexpr int kCircle = 16;
 constexpr int kHalfCircle = kCircle / 2;
+constexpr int kBlock = 32;  // pixels scored at once
 constexpr std::array<std::array<int, 2>, kCircle> kCircleXY = {{{0, -3},
                                                                 {1, -3},
                                                                 {2, -2},
@@ -36,49 +37,100 @@ CircleOffsets MakeOffsets(std::ptrdiff_t stride) {
   return offsets;
 }
 
-/// An upper bound of the contrast of any arc of 9 around each of `count` pixels: such an arc holds
-/// one pixel at least of every two opposite ones.
-void BoundContrast(const std::uint8_t* centre, const CircleOffsets& offsets, int count,
-                   std::uint8_t* __restrict bound) {
-  for (int x = 0; x < count; ++x) {
-    std::uint8_t brightest = 255;
-    std::uint8_t darkest = 0;
-    for (int k = 0; k < kHalfCircle; k += 2) {
-      const std::uint8_t a = centre[x + offsets[k]];
-      const std::uint8_t b = centre[x + offsets[k + kHalfCircle]];
-      brightest = std::min(brightest, std::max(a, b));
-      darkest = std::max(darkest, std::min(a, b));
-    }
-    const std::uint8_t c = centre[x];
-    const auto above = static_cast<std::uint8_t>(std::max(brightest, c) - c);
-    const auto below = static_cast<std::uint8_t>(c - std::min(darkest, c));
-    bound[x] = std::max(above, below);
-  }
+/// One value of each of `N` neighbouring pixels of a row.
+template <std::size_t N>
+using Lanes = std::array<std::uint8_t, N>;
+
+template <std::size_t N>
+Lanes<N> Min(const Lanes<N>& a, const Lanes<N>& b) {
+  Lanes<N> least;
+  for (std::size_t i = 0; i < N; ++i) least[i] = std::min(a[i], b[i]);
+  return least;
 }
 
-/// The largest contrast of an arc of 9 (its least difference from the centre), brighter or darker;
-/// negative if there is none. Windows of 9 are built from windows of 2, 4 and 8.
-int ArcContrast(const std::uint8_t* centre, const CircleOffsets& offsets) {
-  std::array<std::int16_t, 2 * kCircle> low{};
+template <std::size_t N>
+Lanes<N> Max(const Lanes<N>& a, const Lanes<N>& b) {
+  Lanes<N> greatest;
+  for (std::size_t i = 0; i < N; ++i) greatest[i] = std::max(a[i], b[i]);
+  return greatest;
+}
+
+/// How much a exceeds b, or 0.
+template <std::size_t N>
+Lanes<N> Excess(const Lanes<N>& a, const Lanes<N>& b) {
+  Lanes<N> excess;
+  for (std::size_t i = 0; i < N; ++i) {
+    excess[i] = static_cast<std::uint8_t>(std::max(a[i], b[i]) - b[i]);
+  }
+  return excess;
+}
+
+template <std::size_t N>
+Lanes<N> Negative(const Lanes<N>& a) {
+  Lanes<N> negative;
+  for (std::size_t i = 0; i < N; ++i) negative[i] = static_cast<std::uint8_t>(255 - a[i]);
+  return negative;
+}
+
+template <std::size_t N>
+Lanes<N> Load(const std::uint8_t* pixels) {
+  Lanes<N> lanes;
+  std::copy_n(pixels, N, lanes.begin());
+  return lanes;
+}
+
+/// The pixels of the circles around N neighbouring pixels, from the top clockwise.
+template <std::size_t N>
+using Circles = std::array<Lanes<N>, kCircle>;
+
+/// The largest, over the arcs of 9, of an arc's least pixel. Arcs come in twos that share 8 pixels,
+/// from even places on; windows of 8 are built from windows of 2 and 4.
+template <std::size_t N>
+Lanes<N> BrightestArc(const Circles<N>& circle) {
+  std::array<Lanes<N>, kHalfCircle> least2;
+  std::array<Lanes<N>, kHalfCircle> least4;
+  for (int k = 0; k < kHalfCircle; ++k) least2[k] = Min(circle[2 * k], circle[2 * k + 1]);
+  for (int k = 0; k < kHalfCircle; ++k) least4[k] = Min(least2[k], least2[(k + 1) % kHalfCircle]);
+  Lanes<N> brightest{};
+  for (int k = 0; k < kHalfCircle; ++k) {
+    const Lanes<N> least8 = Min(least4[k], least4[(k + 2) % kHalfCircle]);
+    const Lanes<N>& before = circle[(2 * k + kCircle - 1) % kCircle];
+    const Lanes<N>& after = circle[(2 * k + 8) % kCircle];
+    brightest = Max(brightest, Min(least8, Max(before, after)));
+  }
+  return brightest;
+}
+
+/// By how much the brightest arc of 9 exceeds the centre, or the centre the darkest arc; else 0.
+template <std::size_t N>
+Lanes<N> ArcContrast(const std::uint8_t* pixels, const CircleOffsets& offsets) {
+  const Lanes<N> centre = Load<N>(pixels);
+  Circles<N> circle;
+  Circles<N> negative;
   for (int k = 0; k < kCircle; ++k) {
-    low[k] = static_cast<std::int16_t>(centre[offsets[k]] - *centre);
-    low[k + kCircle] = low[k];
+    circle[k] = Load<N>(pixels + offsets[k]);
+    negative[k] = Negative(circle[k]);
   }
-  const std::array<std::int16_t, 2 * kCircle> differences = low;
-  std::array<std::int16_t, 2 * kCircle> high = low;
-  for (const int step : {1, 2, 4}) {
-    for (int k = 0; k + step < 2 * kCircle; ++k) {
-      low[k] = std::min(low[k], low[k + step]);
-      high[k] = std::max(high[k], high[k + step]);
-    }
+  return Max(Excess(BrightestArc(circle), centre),
+             Excess(BrightestArc(negative), Negative(centre)));
+}
+
+/// Whether any of N pixels may have an arc of 9 of contrast above `threshold`: such an arc holds
+/// one pixel at least of every two opposite ones.
+template <std::size_t N>
+bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& offsets, int threshold) {
+  const Lanes<N> centre = Load<N>(pixels);
+  Lanes<N> above = centre;
+  above.fill(255);
+  Lanes<N> below = above;
+  for (int k = 0; k < kHalfCircle; k += 2) {
+    const Lanes<N> a = Load<N>(pixels + offsets[k]);
+    const Lanes<N> b = Load<N>(pixels + offsets[k + kHalfCircle]);
+    above = Min(above, Excess(Max(a, b), centre));
+    below = Min(below, Excess(centre, Min(a, b)));
   }
-  int contrast = -255;
-  for (int k = 0; k < kCircle; ++k) {
-    const int brighter = std::min(low[k], differences[k + 8]);
-    const int darker = -std::max(high[k], differences[k + 8]);
-    contrast = std::max({contrast, brighter, darker});
-  }
-  return contrast;
+  const Lanes<N> bound = Max(above, below);
+  return *std::max_element(bound.begin(), bound.end()) > threshold;
 }
 
 /// Scores of one image row: zero where there is no corner.
@@ -102,7 +154,6 @@ class FastDetector {
         scored_(Scored(image, region)),
         offsets_(MakeOffsets(static_cast<std::ptrdiff_t>(image.step))) {
     for (ScoreRow& row : rows_) row.scores.resize(image.cols);
-    bounds_.resize((scored_.width + 7) / 8 * 8);
   }
 
   std::vector<Corner> Detect() {
@@ -126,16 +177,23 @@ class FastDetector {
   ScoreRow& Row(int y) { return rows_[y % 3]; }
 
   void Score(int y) {
-    const std::uint8_t* pixels = image_.ptr<std::uint8_t>(y) + scored_.x;
-    ScoreRow& row = Row(y);
-    row.Clear();
-    BoundContrast(pixels, offsets_, scored_.width, bounds_.data());
-    for (int i = 0; i < scored_.width; ++i) {
-      if (bounds_[i] <= threshold_) continue;
-      const int contrast = ArcContrast(pixels + i, offsets_);
-      if (contrast <= threshold_) continue;
-      row.scores[scored_.x + i] = static_cast<std::uint8_t>(contrast - 1);
-      row.columns.push_back(scored_.x + i);
+    const std::uint8_t* pixels = image_.ptr<std::uint8_t>(y);
+    const int end = scored_.br().x;
+    Row(y).Clear();
+    int x = scored_.x;
+    for (; x + kBlock <= end; x += kBlock) ScoreBlock<kBlock>(pixels, x, Row(y));
+    for (; x < end; ++x) ScoreBlock<1>(pixels, x, Row(y));
+  }
+
+  template <std::size_t N>
+  void ScoreBlock(const std::uint8_t* pixels, int x, ScoreRow& row) const {
+    if (!MayHaveCorner<N>(pixels + x, offsets_, threshold_)) return;
+    const Lanes<N> contrast = ArcContrast<N>(pixels + x, offsets_);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (contrast[i] <= threshold_) continue;
+      const int column = x + static_cast<int>(i);
+      row.scores[column] = static_cast<std::uint8_t>(contrast[i] - 1);
+      row.columns.push_back(column);
     }
   }
 
@@ -158,7 +216,6 @@ class FastDetector {
   cv::Rect scored_;
   CircleOffsets offsets_;
   std::array<ScoreRow, 3> rows_;
-  std::vector<std::uint8_t> bounds_;
   std::vector<Corner> corners_;
 };
 
