@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "apps/synthetic/sequence.h"
+
+namespace corvo::synthetic {
+
+enum class Layout {
+  kTum,    ///< TUM RGB-D: rgb.txt, rgb/<seconds>.png, groundtruth.txt.
+  kKitti,  ///< KITTI odometry: sequences/00/{image_0/%06d.png, times.txt, calib.txt}, poses/00.txt.
+};
+
+/// Writes the pictures and the truth of a sequence, `camera.yaml` (corvo's camera file) and
+/// `synthetic.yaml` (what was rendered, by which the folder is known again). `progress`, if given,
+/// is called with the number of frames done.
+///
+/// A sequence that was written here before is replaced. Any other folder must be empty or absent,
+/// unless `force`: then files of the same names are overwritten. Throws corvo::Error otherwise, and
+/// where nothing can be written.
+void WriteSequence(const Sequence& sequence, const std::filesystem::path& folder, Layout layout,
+                   bool force = false, const std::function<void(int)>& progress = nullptr);
+
+}  // namespace corvo::synthetic
