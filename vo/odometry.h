@@ -1,14 +1,20 @@
 #pragma once
 
-#include <memory>
+#include <optional>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
+#include "orb/extractor.h"
 #include "vo/camera.h"
 #include "vo/conventions.h"
+#include "vo/frame.h"
 #include "vo/frame_result.h"
+#include "vo/initializer.h"
+#include "vo/keypoint_noise.h"
 #include "vo/map.h"
 #include "vo/options.h"
+#include "vo/tracker.h"
 #include "vo/trajectory.h"
 
 namespace corvo {
@@ -16,20 +22,18 @@ namespace corvo {
 /// Wall time of the stages of one frame, ms. Never part of a result that must reproduce.
 struct StageTimes {
   double extract_ms = 0;
-  double track_ms = 0;    ///< Initialisation or tracking.
-  double map_ms = 0;      ///< Triangulation, fusion and culling after a keyframe.
-  double adjust_ms = 0;   ///< Bundle adjustment.
+  double locate_ms = 0;  ///< Initialisation or tracking.
+  double map_ms = 0;     ///< Landmarks and keyframes made, fused and culled.
+  double adjust_ms = 0;  ///< Bundle adjustment.
 };
 
 /// Monocular visual odometry: images in, one FrameResult an image out. Deterministic: the same
-/// images, camera and options give the same results, for any `threads`. Instances share nothing.
+/// images, camera and options give the same results, for any number of threads. Instances share
+/// nothing.
 class Odometry {
  public:
-  /// Throws corvo::Error on a camera or options out of range.
+  /// Throws corvo::Error on options out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
-  ~Odometry();
-  Odometry(Odometry&&) noexcept;
-  Odometry& operator=(Odometry&&) noexcept;
 
   /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before. Throws
   /// corvo::Error otherwise, and is then as it was before the call.
@@ -39,8 +43,62 @@ class Odometry {
   /// poses, and frames seen before initialisation get poses afterwards.
   Trajectory GetTrajectory() const;
 
-  const Map& map() const;
-  const StageTimes& last_times() const;
+  const Map& map() const { return map_; }
+  const StageTimes& last_times() const { return times_; }
+
+ private:
+  /// A frame's result, and where its camera is relative to a keyframe.
+  struct Record {
+    FrameResult result;
+    KeyframeId anchor = kNone;
+    SE3 anchor_from_camera;
+  };
+
+  void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
+  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns);
+
+  /// Locates the frame in the map, if there is one.
+  TrackingResult Track(Frame& frame);
+  bool NeedsKeyframe(const Frame& frame) const;
+  /// Makes the frame a keyframe, adds landmarks around it and adjusts its window.
+  void ExtendMap(Frame& frame);
+  void AddLandmarksAround(KeyframeId keyframe);
+  void AdjustWindow(KeyframeId newest);
+  /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
+  FrameResult Accept(Frame frame, const TrackingResult& tracking);
+
+  /// Gives a frame that could not be located to the initializer, whose map opens a segment.
+  FrameResult Initialize(Frame frame, const TrackingResult& tracking);
+  /// Puts a first map into the world of the segments before: where, and as fast as, the camera is
+  /// expected to be.
+  void StartSegment(const InitializationResult& initialization);
+  void AddInitialMap(const InitialMap& initial, double scale, Frame& first, Frame& second);
+  /// Locates the frames after (step 1) or before (step -1) a located one, up to the next that has
+  /// a pose.
+  void PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step);
+
+  SE3 PoseOf(const Record& record) const;
+  FrameResult ResultOf(const Record& record) const;
+  /// Constant velocity.
+  SE3 PredictPose(const Frame& from, TimeNs time_ns) const;
+  double ChainScale(const InitialMap& initial, TimeNs baseline_ns) const;
+  void SetMotion(const Frame& from, const Frame& to);
+  void SetPosed(const Frame& frame, int num_matches, int num_inliers);
+
+  Camera camera_;
+  OdometryOptions options_;
+  orb::Extractor extractor_;
+  KeypointNoise noise_;
+  Initializer initializer_;
+  Map map_;
+  std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
+  std::vector<Record> records_;               // One an input frame.
+  State state_ = State::kInitializing;
+  int segment_ = kNone;
+  Frame previous_;            // The last posed frame.
+  SE3 motion_;                // earlier_from_later over the last step between posed frames ...
+  TimeNs step_ns_ = 0;        // ... and how long it took; 0 before the first.
+  StageTimes times_;
 };
 
 }  // namespace corvo

@@ -10,11 +10,102 @@ namespace corvo {
 /// Two-view initialisation.
 struct InitializerOptions {
   int min_matches = 100;
-  double min_parallax_px = 1.0;
+  double min_parallax_sigmas = 2.0;
+  double max_homography_share = 0.45;
+  int min_points = 50;
+  double min_points_in_front = 0.9;
+  double max_second_motion = 0.7;
+  double min_parallax_deg = 1.0;
+  int max_waiting_frames = 100;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
-    field("min_matches", self.min_matches, 20, 100000, "matches with the reference frame");
+    field("min_matches", self.min_matches, 20, 100000, "matches between the two views");
+    field("min_parallax_sigmas", self.min_parallax_sigmas, 0.0, 1000.0,
+          "median parallax before a motion is looked for, in units of the keypoint noise");
+    field("max_homography_share", self.max_homography_share, 0.0, 1.0,
+          "a larger share of the homography in the scores of both models: the scene is planar");
+    field("min_points", self.min_points, 10, 100000, "triangulated points of the first map");
+    field("min_points_in_front", self.min_points_in_front, 0.0, 1.0,
+          "share of the inliers in front of both views with a small error");
+    field("max_second_motion", self.max_second_motion, 0.0, 1.0,
+          "points of the second best motion, as a share of the best's");
+    field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
+          "parallax that min_points points must reach");
+    field("max_waiting_frames", self.max_waiting_frames, 2, 10000,
+          "frames kept before initialisation; they get poses afterwards");
+  }
+};
+
+/// Locating a frame in the map.
+struct TrackerOptions {
+  double search_radius_px = 15;
+  int min_matches = 20;
+  int min_inliers = 15;
+  int min_inliers_lost = 30;
+  int max_local_keyframes = 30;
+  int max_distance = 80;
+  double max_ratio = 0.8;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("search_radius_px", self.search_radius_px, 1.0, 500.0,
+          "around the predicted pixel, times the octave's scale; doubled once if too few match");
+    field("min_matches", self.min_matches, 6, 10000,
+          "matches with the frame before; with fewer, the next wider search is tried");
+    field("min_inliers", self.min_inliers, 15, 10000, "landmarks that must agree with the pose");
+    field("min_inliers_lost", self.min_inliers_lost, 15, 10000,
+          "as min_inliers, to find the track again after it was lost");
+    field("max_local_keyframes", self.max_local_keyframes, 1, 1000,
+          "keyframes whose landmarks are looked for");
+    field("max_distance", self.max_distance, 1, 256, "between matching descriptors, bits");
+    field("max_ratio", self.max_ratio, 0.1, 1.0,
+          "distance of the nearest descriptor over that of the second nearest");
+  }
+};
+
+/// When a frame becomes a keyframe, and how keyframes and landmarks are made and culled.
+struct KeyframeOptions {
+  double max_tracked_share = 0.9;
+  int num_neighbors = 10;
+  double min_parallax_deg = 1.15;
+  int max_distance = 50;
+  double min_found_share = 0.25;
+  double max_redundant_share = 0.9;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("max_tracked_share", self.max_tracked_share, 0.0, 1.0,
+          "a keyframe is due when fewer of the nearest keyframe's landmarks are tracked");
+    field("num_neighbors", self.num_neighbors, 1, 100,
+          "covisible keyframes with which a new one is triangulated and fused");
+    field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0, "of a new landmark");
+    field("max_distance", self.max_distance, 1, 256,
+          "between the descriptors of a new or fused landmark, bits");
+    field("min_found_share", self.min_found_share, 0.0, 1.0,
+          "a landmark found in a smaller share of the frames that should see it is culled");
+    field("max_redundant_share", self.max_redundant_share, 0.0, 1.0,
+          "a keyframe is culled when more of its landmarks are seen by three others as finely");
+  }
+};
+
+/// Windowed bundle adjustment.
+struct BundleAdjusterOptions {
+  double keypoint_sigma_px = 1.0;
+  int max_keyframes = 20;
+  int min_shared_landmarks = 15;
+  int robust_iterations = 5;
+  int final_iterations = 10;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("keypoint_sigma_px", self.keypoint_sigma_px, 0.01, 100.0,
+          "standard deviation of a keypoint, px of its own level; used wherever errors are judged");
+    field("max_keyframes", self.max_keyframes, 2, 1000, "that move in one adjustment");
+    field("min_shared_landmarks", self.min_shared_landmarks, 1, 10000,
+          "with the newest keyframe, for a keyframe to move");
+    field("robust_iterations", self.robust_iterations, 1, 1000, "with the robust loss");
+    field("final_iterations", self.final_iterations, 1, 1000, "after outliers were removed");
   }
 };
 
@@ -22,6 +113,9 @@ struct InitializerOptions {
 struct OdometryOptions {
   orb::ExtractorOptions extractor;
   InitializerOptions initializer;
+  TrackerOptions tracker;
+  KeyframeOptions keyframes;
+  BundleAdjusterOptions bundle_adjuster;
 
   /// Throws corvo::Error naming the first field out of range, as "<section>.<field>".
   void Validate() const;
@@ -31,6 +125,9 @@ struct OdometryOptions {
   static void VisitSections(Self& self, Visitor&& section) {
     section("extractor", self.extractor);
     section("initializer", self.initializer);
+    section("tracker", self.tracker);
+    section("keyframes", self.keyframes);
+    section("bundle_adjuster", self.bundle_adjuster);
   }
 };
 

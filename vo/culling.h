@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "vo/keypoint_noise.h"
+#include "vo/map.h"
+#include "vo/options.h"
+
+namespace corvo {
+
+/// Removes recent landmarks that do not prove themselves: found in too small a share of the frames
+/// that should see them, or seen by fewer than three keyframes after two more were made. `recent`
+/// keeps those still on trial.
+void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<LandmarkId>& recent);
+
+/// Retires the keyframes covisible with `newest` whose landmarks are nearly all seen by at least
+/// three other keyframes in the same or a finer octave. Keeps the first keyframe of a segment.
+void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options);
+
+}  // namespace corvo

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "orb/matcher.h"
+#include "vo/frame.h"
+#include "vo/keypoint_noise.h"
+
+namespace corvo {
+
+/// Matches of keypoints that see no landmark between two frames of known pose: the nearest
+/// descriptor within `max_distance` bits among the keypoints near the epipolar line, distinct and
+/// mutual, turned consistently.
+std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
+                                                double focal_px, const KeypointNoise& noise,
+                                                int max_distance);
+
+}  // namespace corvo

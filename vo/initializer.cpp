@@ -1,0 +1,130 @@
+#include "vo/initializer.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "vo/bundle_adjuster.h"
+#include "vo/frame_matching.h"
+#include "vo/map.h"
+#include "vo/two_view.h"
+
+namespace corvo {
+namespace {
+
+/// Two-view adjustment on a map of its own; what is left after outliers were removed.
+InitialMap AdjustTwoViews(const TwoViewResult& motion, const std::vector<orb::Match>& matches,
+                          const Frame& first, const Frame& second, const Camera& camera,
+                          const KeypointNoise& noise) {
+  Map map;
+  Frame frames[] = {first, second};
+  frames[0].world_from_camera = SE3();
+  frames[1].world_from_camera = motion.first_from_second;
+  for (Frame& frame : frames) {
+    frame.landmarks.assign(frame.landmarks.size(), kNone);
+    map.AddKeyframe(std::move(frame), 0);
+  }
+  AdjustmentWindow window{{0, 1}, {}, {}};
+  for (const TwoViewPoint& point : motion.points) {
+    const orb::Match& match = matches[point.match];
+    window.landmarks.push_back(
+        map.AddLandmark(point.in_first, {{0, match.query}, {1, match.train}}));
+  }
+  AdjustBundle(map, window, camera, noise, BundleAdjusterOptions());
+
+  InitialMap initial;
+  initial.first_from_second = map.WorldFromKeyframe(1);
+  for (const LandmarkId id : window.landmarks) {
+    const Landmark* landmark = map.FindLandmark(id);
+    if (landmark == nullptr) continue;
+    initial.points.push_back({landmark->observations[0].keypoint,
+                              landmark->observations[1].keypoint, landmark->in_world});
+  }
+  return initial;
+}
+
+/// Scales a map so that the median depth in the first view is 1.
+void NormalizeDepth(InitialMap& map) {
+  std::vector<double> depths;
+  for (const InitialPoint& point : map.points) depths.push_back(point.in_first.z());
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  const double scale = 1 / *middle;
+  map.first_from_second = SE3(map.first_from_second.rotation(),
+                              scale * map.first_from_second.translation());
+  for (InitialPoint& point : map.points) point.in_first *= scale;
+}
+
+}  // namespace
+
+Initializer::Initializer(const InitializerOptions& options, const KeypointNoise& noise,
+                         const Camera& camera)
+    : options_(options), noise_(noise), camera_(camera) {}
+
+InitializationResult Initializer::AddFrame(Frame frame) {
+  InitializationResult result;
+  frames_.push_back(std::move(frame));
+  if (static_cast<int>(frames_.size()) > options_.max_waiting_frames) {
+    frames_.pop_front();
+    reference_ = std::max(0, reference_ - 1);
+  }
+  const Frame& second = frames_.back();
+  if (second.num_keypoints() < options_.min_matches) {
+    result.reason = Reason::kTooFewFeatures;
+    return result;
+  }
+  const Frame& first = frames_[reference_];
+  if (&first == &second || first.num_keypoints() < options_.min_matches) {
+    reference_ = static_cast<int>(frames_.size()) - 1;
+    result.reason = Reason::kReferenceFrame;
+    return result;
+  }
+  const std::vector<orb::Match> matches = MatchFrames(first, second);
+  result.num_matches = static_cast<int>(matches.size());
+  if (result.num_matches < options_.min_matches) {
+    MoveReference();
+    result.reason = Reason::kTooFewMatches;
+    return result;
+  }
+  const TwoViewResult motion = EstimateTwoViewMotion(ToRayMatches(matches), options_);
+  result.reason = motion.reason;
+  result.num_inliers = motion.num_inliers;
+  result.parallax_deg = motion.parallax_deg;
+  if (motion.reason != Reason::kNone) return result;
+  InitialMap map = AdjustTwoViews(motion, matches, first, second, camera_, noise_);
+  if (static_cast<int>(map.points.size()) < options_.min_points) {
+    result.reason = Reason::kBadTriangulation;
+    return result;
+  }
+  NormalizeDepth(map);
+  result.map = std::move(map);
+  return result;
+}
+
+std::vector<Frame> Initializer::TakeFrames() {
+  std::vector<Frame> frames(std::make_move_iterator(frames_.begin()),
+                            std::make_move_iterator(frames_.end()));
+  frames_.clear();
+  reference_ = 0;
+  return frames;
+}
+
+/// Half-way to the newest frame: near enough to match again, far enough to keep some parallax.
+void Initializer::MoveReference() {
+  const int newest = static_cast<int>(frames_.size()) - 1;
+  reference_ += (newest - reference_ + 1) / 2;
+}
+
+std::vector<RayMatch> Initializer::ToRayMatches(const std::vector<orb::Match>& matches) const {
+  const Frame& first = frames_[reference_];
+  const Frame& second = frames_.back();
+  std::vector<RayMatch> rays;
+  for (const orb::Match& match : matches) {
+    const double sigma_px = std::max(noise_.Sigma(first.keypoint(match.query)),
+                                     noise_.Sigma(second.keypoint(match.train)));
+    rays.push_back({first.rays[match.query], second.rays[match.train], sigma_px / camera_.focal()});
+  }
+  return rays;
+}
+
+}  // namespace corvo

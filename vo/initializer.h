@@ -1,0 +1,63 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vo/camera.h"
+#include "vo/frame.h"
+#include "vo/frame_result.h"
+#include "vo/keypoint_noise.h"
+#include "vo/lie/se3.h"
+#include "vo/options.h"
+
+namespace corvo {
+
+/// A landmark of the first map.
+struct InitialPoint {
+  int first_keypoint = kNone;
+  int second_keypoint = kNone;
+  Eigen::Vector3d in_first;
+};
+
+/// Two views and the points between them. The median depth in the first view is 1.
+struct InitialMap {
+  SE3 first_from_second;
+  std::vector<InitialPoint> points;
+};
+
+/// What became of a frame given to the Initializer.
+struct InitializationResult {
+  Reason reason = Reason::kNone;  ///< kNone: `map` is set.
+  std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
+  int num_matches = 0;
+  int num_inliers = 0;
+  double parallax_deg = 0;
+};
+
+/// Collects frames until the newest and a reference frame make a map.
+class Initializer {
+ public:
+  Initializer(const InitializerOptions& options, const KeypointNoise& noise, const Camera& camera);
+
+  InitializationResult AddFrame(Frame frame);
+
+  /// The frames collected, in order; the newest is the last. Forgets them.
+  std::vector<Frame> TakeFrames();
+  /// Index of the reference frame within the frames collected.
+  int reference() const { return reference_; }
+
+ private:
+  void MoveReference();
+  std::vector<struct RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
+
+  InitializerOptions options_;
+  KeypointNoise noise_;
+  Camera camera_;
+  std::deque<Frame> frames_;
+  int reference_ = 0;
+};
+
+}  // namespace corvo

@@ -1,0 +1,9 @@
+#include "vo/keyframe_policy.h"
+
+namespace corvo {
+
+bool NeedsKeyframe(const KeyframeEvidence& evidence, const KeyframeOptions& options) {
+  return evidence.num_tracked < options.max_tracked_share * evidence.num_reference;
+}
+
+}  // namespace corvo

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "vo/camera.h"
+#include "vo/keypoint_noise.h"
+#include "vo/map.h"
+#include "vo/options.h"
+
+namespace corvo {
+
+/// Joins what a keyframe and its covisible keyframes know twice: each one's landmarks are projected
+/// into the other; where the nearest descriptor's keypoint sees another landmark the two are
+/// merged into the one with more observations, where it sees none it becomes an observation.
+/// Returns the number of merges and new observations.
+int FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
+                  const KeyframeOptions& options);
+
+}  // namespace corvo

@@ -1,0 +1,301 @@
+#include "vo/odometry.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "orb/error.h"
+#include "vo/bundle_adjuster.h"
+#include "vo/culling.h"
+#include "vo/keyframe_policy.h"
+#include "vo/landmark_creation.h"
+#include "vo/landmark_fusion.h"
+
+namespace corvo {
+namespace {
+
+/// Adds the time of its scope to a stage.
+class StageTimer {
+ public:
+  explicit StageTimer(double& total_ms) : total_ms_(total_ms) {}
+  ~StageTimer() {
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start_;
+    total_ms_ += elapsed.count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& total_ms_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The same velocity for another time: Exp(factor Log(motion)).
+SE3 ScaleMotion(const SE3& motion, double factor) { return SE3::Exp(factor * motion.Log()); }
+
+const OdometryOptions& Validated(const OdometryOptions& options) {
+  options.Validate();
+  return options;
+}
+
+int CountLandmarks(const Frame& frame) {
+  return static_cast<int>(frame.landmarks.size() -
+                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNone));
+}
+
+/// Landmarks of a keyframe that enough keyframes see (two while there are no more).
+int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
+  const std::size_t min_observations = num_keyframes <= 2 ? 2 : 3;
+  int count = 0;
+  for (const LandmarkId landmark_id : map.keyframe(id).frame.landmarks) {
+    const Landmark* landmark = map.FindLandmark(landmark_id);
+    count += landmark != nullptr && landmark->observations.size() >= min_observations;
+  }
+  return count;
+}
+
+}  // namespace
+
+Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
+    : camera_(camera),
+      options_(Validated(options)),
+      extractor_(options.extractor, threads),
+      noise_{options.bundle_adjuster.keypoint_sigma_px, extractor_.octave_scales()},
+      initializer_(options.initializer, noise_, camera) {}
+
+FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns) {
+  CheckInput(image, time_ns);
+  times_ = StageTimes();
+  Frame frame = ExtractFrame(image, time_ns);
+  const TrackingResult tracking = Track(frame);
+  if (tracking.reason != Reason::kNone) return Initialize(std::move(frame), tracking);
+  if (NeedsKeyframe(frame)) ExtendMap(frame);
+  return Accept(std::move(frame), tracking);
+}
+
+Trajectory Odometry::GetTrajectory() const {
+  Trajectory trajectory;
+  for (const Record& record : records_) {
+    trajectory.frames.push_back(ResultOf(record));
+  }
+  return trajectory;
+}
+
+void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
+  if (image.type() != CV_8UC1) {
+    throw Error(fmt::format("image has type {}; allowed is 8-bit with one channel (CV_8UC1)",
+                            cv::typeToString(image.type())));
+  }
+  if (image.cols != camera_.width() || image.rows != camera_.height()) {
+    throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
+                            camera_.width(), camera_.height()));
+  }
+  if (!records_.empty() && time_ns <= records_.back().result.time_ns) {
+    throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
+                            records_.size(), time_ns, records_.back().result.time_ns));
+  }
+}
+
+Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
+  const StageTimer timer(times_.extract_ms);
+  const int index = static_cast<int>(records_.size());
+  Frame frame = MakeFrame(index, time_ns, extractor_.Extract(image), camera_);
+  Record record;
+  record.result.index = index;
+  record.result.time_ns = time_ns;
+  record.result.num_features = frame.num_keypoints();
+  records_.push_back(record);
+  return frame;
+}
+
+TrackingResult Odometry::Track(Frame& frame) {
+  const StageTimer timer(times_.locate_ms);
+  TrackingResult tracking;
+  tracking.reason = Reason::kReferenceFrame;
+  if (segment_ == kNone) return tracking;
+  tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera_, noise_,
+                        options_.tracker, frame);
+  const bool is_sure = state_ == State::kTracking ||
+                       tracking.num_inliers >= options_.tracker.min_inliers_lost;
+  if (tracking.reason == Reason::kNone && !is_sure) tracking.reason = Reason::kTooFewInliers;
+  return tracking;
+}
+
+bool Odometry::NeedsKeyframe(const Frame& frame) const {
+  KeyframeEvidence evidence;
+  const std::vector<Covisible> covisible = map_.FindCovisible(frame);
+  evidence.num_tracked = CountLandmarks(frame);
+  evidence.num_reference =
+      CountEstablished(map_, covisible.front().keyframe, map_.num_keyframes());
+  return corvo::NeedsKeyframe(evidence, options_.keyframes);
+}
+
+void Odometry::ExtendMap(Frame& frame) {
+  const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
+  AddLandmarksAround(keyframe);
+  AdjustWindow(keyframe);
+  CullKeyframes(map_, keyframe, options_.keyframes);
+  frame = map_.keyframe(keyframe).frame;
+  records_[frame.index].anchor = keyframe;
+  records_[frame.index].result.is_keyframe = true;
+}
+
+void Odometry::AddLandmarksAround(KeyframeId keyframe) {
+  const StageTimer timer(times_.map_ms);
+  for (const LandmarkId id : map_.keyframe(keyframe).frame.landmarks) {
+    if (id != kNone) map_.UpdateAppearance(id, noise_.octave_scales);
+  }
+  CullLandmarks(map_, options_.keyframes, recent_landmarks_);
+  const LandmarkId first_new = map_.num_landmark_ids();
+  CreateLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+  for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
+    recent_landmarks_.push_back(id);
+  }
+  FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+}
+
+void Odometry::AdjustWindow(KeyframeId newest) {
+  const StageTimer timer(times_.adjust_ms);
+  const AdjustmentWindow window = SelectWindow(map_, newest, options_.bundle_adjuster);
+  AdjustBundle(map_, window, camera_, noise_, options_.bundle_adjuster);
+}
+
+FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
+  for (const LandmarkId id : tracking.visible) {
+    if (map_.FindLandmark(id) != nullptr) map_.CountVisible(id);
+  }
+  for (const LandmarkId id : frame.landmarks) {
+    if (id != kNone) map_.CountFound(id);
+  }
+  SetPosed(frame, tracking.num_matches, tracking.num_inliers);
+  previous_.world_from_camera = PoseOf(records_[previous_.index]);
+  SetMotion(previous_, frame);
+  std::vector<Frame> frames = initializer_.TakeFrames();
+  frames.push_back(std::move(frame));
+  PlaceWaitingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
+  previous_ = std::move(frames.back());
+  state_ = State::kTracking;
+  return ResultOf(records_[previous_.index]);
+}
+
+FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
+  const StageTimer timer(times_.locate_ms);
+  const int index = frame.index;
+  frame.landmarks.assign(frame.landmarks.size(), kNone);
+  const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
+  FrameResult& result = records_[index].result;
+  const bool was_tracking = segment_ != kNone;
+  result.reason = was_tracking ? tracking.reason : initialization.reason;
+  result.state = state_ = was_tracking ? State::kLost : State::kInitializing;
+  result.segment = segment_;
+  result.num_matches = was_tracking ? tracking.num_matches : initialization.num_matches;
+  result.num_inliers = was_tracking ? tracking.num_inliers : initialization.num_inliers;
+  result.parallax_deg = initialization.parallax_deg;
+  if (initialization.map) StartSegment(initialization);
+  return ResultOf(records_[index]);
+}
+
+void Odometry::StartSegment(const InitializationResult& initialization) {
+  const InitialMap& initial = *initialization.map;
+  const int reference = initializer_.reference();
+  std::vector<Frame> frames = initializer_.TakeFrames();
+  Frame& first = frames[reference];
+  Frame& second = frames.back();
+  first.world_from_camera = PredictPose(previous_, first.time_ns);
+  const double scale = ChainScale(initial, second.time_ns - first.time_ns);
+  second.world_from_camera =
+      first.world_from_camera * SE3(initial.first_from_second.rotation(),
+                                    scale * initial.first_from_second.translation());
+  ++segment_;
+  AddInitialMap(initial, scale, first, second);
+  const int num_points = static_cast<int>(initial.points.size());
+  SetPosed(first, initialization.num_matches, num_points);
+  SetPosed(second, initialization.num_matches, num_points);
+  SetMotion(first, second);
+  PlaceWaitingFrames(frames, reference, 1);
+  PlaceWaitingFrames(frames, reference, -1);
+  previous_ = std::move(frames.back());
+  state_ = State::kTracking;
+}
+
+void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& first,
+                             Frame& second) {
+  const KeyframeId first_id = map_.AddKeyframe(first, segment_);
+  const KeyframeId second_id = map_.AddKeyframe(second, segment_);
+  for (const InitialPoint& point : initial.points) {
+    const Eigen::Vector3d in_world =
+        first.world_from_camera * Eigen::Vector3d(scale * point.in_first);
+    const LandmarkId id = map_.AddLandmark(
+        in_world, {{first_id, point.first_keypoint}, {second_id, point.second_keypoint}});
+    map_.UpdateAppearance(id, noise_.octave_scales);
+    recent_landmarks_.push_back(id);
+  }
+  for (const KeyframeId id : {first_id, second_id}) {
+    Frame& frame = id == first_id ? first : second;
+    frame.landmarks = map_.keyframe(id).frame.landmarks;
+    records_[frame.index].anchor = id;
+    records_[frame.index].result.is_keyframe = true;
+  }
+}
+
+void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step) {
+  const int num_frames = static_cast<int>(frames.size());
+  for (int i = located + step; i >= 0 && i < num_frames; i += step) {
+    Frame& frame = frames[i];
+    if (records_[frame.index].anchor != kNone) break;
+    const SE3 predicted = PredictPose(frames[located], frame.time_ns);
+    const TrackingResult tracking = TrackFrame(map_, frames[located], predicted, camera_, noise_,
+                                               options_.tracker, frame);
+    if (tracking.reason != Reason::kNone) continue;
+    SetPosed(frame, tracking.num_matches, tracking.num_inliers);
+    located = i;
+  }
+}
+
+SE3 Odometry::PoseOf(const Record& record) const {
+  return map_.WorldFromKeyframe(record.anchor) * record.anchor_from_camera;
+}
+
+FrameResult Odometry::ResultOf(const Record& record) const {
+  FrameResult result = record.result;
+  if (record.anchor != kNone) result.world_from_camera = PoseOf(record);
+  return result;
+}
+
+SE3 Odometry::PredictPose(const Frame& from, TimeNs time_ns) const {
+  if (step_ns_ == 0) return from.world_from_camera;
+  const double steps = static_cast<double>(time_ns - from.time_ns) / static_cast<double>(step_ns_);
+  return from.world_from_camera * ScaleMotion(motion_, steps);
+}
+
+/// So that the speed over the first baseline is the last one known.
+double Odometry::ChainScale(const InitialMap& initial, TimeNs baseline_ns) const {
+  if (step_ns_ == 0) return 1;
+  const double distance = motion_.translation().norm() * static_cast<double>(baseline_ns) /
+                          static_cast<double>(step_ns_);
+  return distance > 0 ? distance / initial.first_from_second.translation().norm() : 1;
+}
+
+void Odometry::SetMotion(const Frame& from, const Frame& to) {
+  motion_ = from.world_from_camera.Inverse() * to.world_from_camera;
+  step_ns_ = to.time_ns - from.time_ns;
+}
+
+void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
+  Record& record = records_[frame.index];
+  record.result.state = State::kTracking;
+  record.result.reason = Reason::kNone;
+  record.result.segment = segment_;
+  record.result.num_matches = num_matches;
+  record.result.num_inliers = num_inliers;
+  if (record.result.is_keyframe) return;
+  record.anchor = map_.FindCovisible(frame).front().keyframe;
+  record.anchor_from_camera =
+      map_.WorldFromKeyframe(record.anchor).Inverse() * frame.world_from_camera;
+}
+
+}  // namespace corvo

@@ -1,0 +1,131 @@
+#include "vo/pose_optimizer.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "vo/chi_square.h"
+#include "vo/lie/so3.h"
+
+namespace corvo {
+namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Normal equations of the weighted reprojection errors at one pose.
+struct NormalEquations {
+  Matrix6d hessian = Matrix6d::Zero();
+  Vector6d gradient = Vector6d::Zero();
+  double cost = 0;
+};
+
+/// Huber's loss of a squared error, and its derivative (the weight).
+struct Loss {
+  double value;
+  double weight;
+};
+
+Loss EvaluateLoss(double squared_error, bool robust) {
+  if (!robust || squared_error <= kChiSquare2Dof95) return {squared_error, 1.0};
+  const double delta = std::sqrt(kChiSquare2Dof95);
+  const double error = std::sqrt(squared_error);
+  return {2 * delta * error - kChiSquare2Dof95, delta / error};
+}
+
+/// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
+void Accumulate(const PointObservation& observation, const SE3& camera_from_world,
+                const Camera& camera, bool robust, NormalEquations& equations) {
+  const Eigen::Vector3d in_camera = camera_from_world * observation.in_world;
+  Camera::Jacobian pixel_by_point;
+  const std::optional<Eigen::Vector2d> projected = camera.Project(in_camera, &pixel_by_point);
+  if (!projected) {
+    equations.cost += EvaluateLoss(1e6, robust).value;
+    return;
+  }
+  const double information = 1 / (observation.sigma_px * observation.sigma_px);
+  const Eigen::Vector2d residual = *projected - observation.pixel;
+  Eigen::Matrix<double, 2, 6> jacobian;
+  jacobian.leftCols<3>() = -pixel_by_point;
+  jacobian.rightCols<3>() = pixel_by_point * SO3::Hat(in_camera);
+  const Loss loss = EvaluateLoss(residual.squaredNorm() * information, robust);
+  equations.cost += loss.value;
+  equations.hessian += loss.weight * information * jacobian.transpose() * jacobian;
+  equations.gradient += loss.weight * information * jacobian.transpose() * residual;
+}
+
+NormalEquations BuildNormalEquations(const SE3& world_from_camera,
+                                     const std::vector<PointObservation>& observations,
+                                     const std::vector<char>& use, const Camera& camera,
+                                     bool robust) {
+  NormalEquations equations;
+  const SE3 camera_from_world = world_from_camera.Inverse();
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    if (use[i]) Accumulate(observations[i], camera_from_world, camera, robust, equations);
+  }
+  return equations;
+}
+
+/// Levenberg-Marquardt over the observations in use.
+SE3 Minimize(SE3 pose, const std::vector<PointObservation>& observations,
+             const std::vector<char>& use, const Camera& camera, bool robust) {
+  constexpr int kMaxIterations = 10;
+  double damping = 1e-4;
+  NormalEquations now = BuildNormalEquations(pose, observations, use, camera, robust);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    Matrix6d damped = now.hessian;
+    damped.diagonal() += damping * now.hessian.diagonal() + Vector6d::Constant(1e-9);
+    const Vector6d step = -damped.ldlt().solve(now.gradient);
+    if (!step.allFinite()) break;
+    const SE3 candidate = pose * SE3::Exp(step);
+    const NormalEquations next =
+        BuildNormalEquations(candidate, observations, use, camera, robust);
+    if (next.cost < now.cost) {
+      const bool converged = now.cost - next.cost < 1e-6 * now.cost;
+      pose = candidate;
+      now = next;
+      damping *= 0.1;
+      if (converged) break;
+    } else {
+      damping *= 10;
+      if (damping > 1e6) break;
+    }
+  }
+  return pose;
+}
+
+}  // namespace
+
+double SquaredError(const PointObservation& observation, const SE3& camera_from_world,
+                    const Camera& camera) {
+  const std::optional<Eigen::Vector2d> projected =
+      camera.Project(camera_from_world * observation.in_world);
+  if (!projected) return std::numeric_limits<double>::infinity();
+  return (*projected - observation.pixel).squaredNorm() /
+         (observation.sigma_px * observation.sigma_px);
+}
+
+PoseEstimate OptimizePose(const SE3& initial, const std::vector<PointObservation>& observations,
+                          const Camera& camera) {
+  constexpr int kRounds = 4;
+  constexpr int kRobustRounds = 2;
+  PoseEstimate estimate;
+  estimate.world_from_camera = initial;
+  estimate.is_inlier.assign(observations.size(), 1);
+  for (int round = 0; round < kRounds; ++round) {
+    estimate.world_from_camera = Minimize(estimate.world_from_camera, observations,
+                                          estimate.is_inlier, camera, round < kRobustRounds);
+    const SE3 camera_from_world = estimate.world_from_camera.Inverse();
+    estimate.num_inliers = 0;
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      estimate.is_inlier[i] =
+          SquaredError(observations[i], camera_from_world, camera) <= kChiSquare2Dof95;
+      estimate.num_inliers += estimate.is_inlier[i];
+    }
+    if (estimate.num_inliers < 6) break;
+  }
+  return estimate;
+}
+
+}  // namespace corvo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "vo/lie/se3.h"
+
+namespace corvo {
+
+/// A ray through a camera and where that camera stands.
+struct PosedRay {
+  SE3 world_from_camera;
+  Eigen::Vector2d ray;  ///< (x/z, y/z) in the camera.
+};
+
+/// The point nearest to both rays in the algebraic sense (linear triangulation, Hartley and
+/// Zisserman, Multiple View Geometry, 12.2). None where the rays are parallel. The point may lie
+/// behind a camera.
+std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b);
+
+/// Angle at a point between two cameras' centres, radians.
+double ParallaxAngle(const Eigen::Vector3d& in_world, const SE3& world_from_a,
+                     const SE3& world_from_b);
+
+}  // namespace corvo
