@@ -178,7 +178,7 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
   std::set<LandmarkId> landmarks;
   for (const KeyframeId id : moving) {
     for (const LandmarkId landmark : map.keyframe(id).frame.landmarks) {
-      if (landmark != kNone) landmarks.insert(landmark);
+      if (landmark != kNoId) landmarks.insert(landmark);
     }
   }
   std::map<KeyframeId, int> num_seen;

@@ -19,7 +19,7 @@ namespace corvo {
 /// Ids are dense, start at 0 in creation order and are never reused.
 using KeyframeId = int;
 using LandmarkId = int;
-inline constexpr int kNone = -1;  ///< No such keyframe, landmark or keypoint.
+inline constexpr int kNoId = -1;  ///< No such keyframe, landmark or keypoint.
 
 using TimeNs = std::int64_t;
 

@@ -19,7 +19,7 @@ struct FreeKeypoints {
 FreeKeypoints CollectFree(const Frame& frame, double focal_px, const KeypointNoise& noise) {
   FreeKeypoints free;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
-    if (frame.landmarks[k] != kNone) continue;
+    if (frame.landmarks[k] != kNoId) continue;
     const double sigma = noise.Sigma(frame.keypoint(k)) / focal_px;
     free.index.push_back(k);
     free.rays.push_back(frame.rays[k]);

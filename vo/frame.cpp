@@ -18,7 +18,7 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
     frame.features.descriptors.push_back(features.descriptors[i]);
     frame.rays.push_back(*ray);
   }
-  frame.landmarks.assign(frame.rays.size(), kNone);
+  frame.landmarks.assign(frame.rays.size(), kNoId);
   frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
   return frame;
 }

@@ -19,7 +19,7 @@ struct Frame {
   orb::Features features;  ///< Keypoints keep their measured pixel.
   orb::KeypointIndex keypoint_index;
   std::vector<Eigen::Vector2d> rays;  ///< (x/z, y/z) of each keypoint, by the camera.
-  std::vector<LandmarkId> landmarks;  ///< Seen by each keypoint, or kNone.
+  std::vector<LandmarkId> landmarks;  ///< Seen by each keypoint, or kNoId.
   SE3 world_from_camera;
 
   int num_keypoints() const { return static_cast<int>(features.keypoints.size()); }

@@ -37,7 +37,7 @@ struct FrameResult {
   TimeNs time_ns = 0;
   State state = State::kInitializing;
   Reason reason = Reason::kNone;
-  int segment = kNone;  ///< Poses compare only within one segment. kNone before the first.
+  int segment = kNoId;  ///< Poses compare only within one segment. kNoId before the first.
   /// Set if and only if the frame is posed: located from enough inlier landmarks, while tracking
   /// or afterwards by pose optimisation. Never held, predicted or interpolated.
   std::optional<SE3> world_from_camera;

@@ -21,7 +21,7 @@ InitialMap AdjustTwoViews(const TwoViewResult& motion, const std::vector<orb::Ma
   frames[0].world_from_camera = SE3();
   frames[1].world_from_camera = motion.first_from_second;
   for (Frame& frame : frames) {
-    frame.landmarks.assign(frame.landmarks.size(), kNone);
+    frame.landmarks.assign(frame.landmarks.size(), kNoId);
     map.AddKeyframe(std::move(frame), 0);
   }
   AdjustmentWindow window{{0, 1}, {}, {}};

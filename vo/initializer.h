@@ -17,8 +17,8 @@ namespace corvo {
 
 /// A landmark of the first map.
 struct InitialPoint {
-  int first_keypoint = kNone;
-  int second_keypoint = kNone;
+  int first_keypoint = kNoId;
+  int second_keypoint = kNoId;
   Eigen::Vector3d in_first;
 };
 
@@ -30,7 +30,7 @@ struct InitialMap {
 
 /// What became of a frame given to the Initializer.
 struct InitializationResult {
-  Reason reason = Reason::kNone;  ///< kNone: `map` is set.
+  Reason reason = Reason::kNone;  ///< kNoId: `map` is set.
   std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
   int num_matches = 0;
   int num_inliers = 0;

@@ -72,7 +72,7 @@ int FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
                                        noise.Sigma(keyframe.frame.keypoint(match.train))};
     if (SquaredError(observation, camera_from_world, camera) > kChiSquare2Dof95) continue;
     const LandmarkId present = keyframe.frame.landmarks[match.train];
-    if (present == kNone) {
+    if (present == kNoId) {
       map.AddObservation(landmark, {id, match.train});
     } else {
       landmark = Merge(map, landmark, present);
@@ -86,7 +86,7 @@ int FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
 std::vector<LandmarkId> LandmarksOf(const Map& map, KeyframeId id) {
   std::vector<LandmarkId> landmarks;
   for (const LandmarkId landmark : map.keyframe(id).frame.landmarks) {
-    if (landmark != kNone) landmarks.push_back(landmark);
+    if (landmark != kNoId) landmarks.push_back(landmark);
   }
   return landmarks;
 }

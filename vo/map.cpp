@@ -42,7 +42,7 @@ const Landmark* Map::FindLandmark(LandmarkId id) const {
 }
 
 LandmarkId Map::Resolve(LandmarkId id) const {
-  while (id != kNone && !landmarks_[id]) id = merged_into_[id];
+  while (id != kNoId && !landmarks_[id]) id = merged_into_[id];
   return id;
 }
 
@@ -58,7 +58,7 @@ SE3 Map::WorldFromKeyframe(KeyframeId id) const {
 KeyframeId Map::AddKeyframe(Frame frame, int segment) {
   const KeyframeId id = num_keyframes();
   for (int k = 0; k < frame.num_keypoints(); ++k) {
-    if (frame.landmarks[k] == kNone) continue;
+    if (frame.landmarks[k] == kNoId) continue;
     landmarks_[frame.landmarks[k]]->observations.push_back({id, k});
   }
   Keyframe keyframe;
@@ -72,7 +72,7 @@ KeyframeId Map::AddKeyframe(Frame frame, int segment) {
 void Map::RetireKeyframe(KeyframeId id, KeyframeId anchor) {
   const std::vector<LandmarkId> landmarks = keyframes_[id].frame.landmarks;
   for (const LandmarkId landmark : landmarks) {
-    if (landmark != kNone && landmarks_[landmark]) RemoveObservation(landmark, id);
+    if (landmark != kNoId && landmarks_[landmark]) RemoveObservation(landmark, id);
   }
   Keyframe& keyframe = keyframes_[id];
   keyframe.anchor = anchor;
@@ -98,7 +98,7 @@ LandmarkId Map::AddLandmark(const Eigen::Vector3d& in_world,
   landmark.newest_keyframe = num_keyframes() - 1;
   landmark.num_visible = landmark.num_found = static_cast<int>(observations.size());
   landmarks_.push_back(std::move(landmark));
-  merged_into_.push_back(kNone);
+  merged_into_.push_back(kNoId);
   for (const Observation& observation : observations) AddObservation(id, observation);
   return id;
 }
@@ -109,7 +109,7 @@ void Map::SetPosition(LandmarkId id, const Eigen::Vector3d& in_world) {
 
 void Map::RemoveLandmark(LandmarkId id) {
   for (const Observation& o : landmarks_[id]->observations) {
-    keyframes_[o.keyframe].frame.landmarks[o.keypoint] = kNone;
+    keyframes_[o.keyframe].frame.landmarks[o.keypoint] = kNoId;
   }
   landmarks_[id].reset();
 }
@@ -139,7 +139,7 @@ void Map::RemoveObservation(LandmarkId id, KeyframeId keyframe) {
   Landmark& landmark = *landmarks_[id];
   const auto found = FindObservation(landmark, keyframe);
   if (found == landmark.observations.end()) return;
-  keyframes_[keyframe].frame.landmarks[found->keypoint] = kNone;
+  keyframes_[keyframe].frame.landmarks[found->keypoint] = kNoId;
   landmark.observations.erase(found);
   if (landmark.observations.size() < 2) RemoveLandmark(id);
 }
@@ -166,7 +166,7 @@ std::vector<Covisible> Map::FindCovisible(KeyframeId id, int min_shared) const {
 }
 
 std::vector<Covisible> Map::FindCovisible(const Frame& frame, int min_shared) const {
-  return CountShared(frame.landmarks, kNone, min_shared);
+  return CountShared(frame.landmarks, kNoId, min_shared);
 }
 
 std::vector<Covisible> Map::CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,

@@ -14,19 +14,19 @@ namespace corvo {
 
 /// Keypoint `keypoint` of keyframe `keyframe` sees a landmark.
 struct Observation {
-  KeyframeId keyframe = kNone;
-  int keypoint = kNone;
+  KeyframeId keyframe = kNoId;
+  int keypoint = kNoId;
 
   bool operator==(const Observation&) const = default;
 };
 
 /// A 3D point and how it looks.
 struct Landmark {
-  LandmarkId id = kNone;
+  LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
   std::vector<Observation> observations;  ///< At most one a keyframe, in ascending keyframe.
-  KeyframeId newest_keyframe = kNone;  ///< The newest keyframe when the landmark was made.
+  KeyframeId newest_keyframe = kNoId;  ///< The newest keyframe when the landmark was made.
   orb::Descriptor descriptor;          ///< The medoid of its observations' descriptors.
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
   double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
@@ -37,18 +37,18 @@ struct Landmark {
 /// A frame kept in the map. A retired keyframe has lost its features and observations; its pose
 /// hangs on another keyframe.
 struct Keyframe {
-  KeyframeId id = kNone;
+  KeyframeId id = kNoId;
   int segment = 0;
   Frame frame;
-  KeyframeId anchor = kNone;  ///< kNone unless retired.
+  KeyframeId anchor = kNoId;  ///< kNoId unless retired.
   SE3 anchor_from_keyframe;   ///< Where it was relative to `anchor` when it retired.
 
-  bool retired() const { return anchor != kNone; }
+  bool retired() const { return anchor != kNoId; }
 };
 
 /// A keyframe and the number of landmarks that it shares with another.
 struct Covisible {
-  KeyframeId keyframe = kNone;
+  KeyframeId keyframe = kNoId;
   int num_shared = 0;
 };
 
@@ -63,7 +63,7 @@ class Map {
   /// Null if there is none, or it was removed.
   const Landmark* FindLandmark(LandmarkId id) const;
   /// The landmark that `id` was merged into, directly or by stages; `id` itself if it lives;
-  /// kNone if it was removed.
+  /// kNoId if it was removed.
   LandmarkId Resolve(LandmarkId id) const;
 
   /// Pose of any keyframe, retired ones through their anchors.

@@ -44,7 +44,7 @@ const OdometryOptions& Validated(const OdometryOptions& options) {
 
 int CountLandmarks(const Frame& frame) {
   return static_cast<int>(frame.landmarks.size() -
-                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNone));
+                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
 /// Landmarks of a keyframe that enough keyframes see (two while there are no more).
@@ -116,7 +116,7 @@ TrackingResult Odometry::Track(Frame& frame) {
   const StageTimer timer(times_.locate_ms);
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
-  if (segment_ == kNone) return tracking;
+  if (segment_ == kNoId) return tracking;
   tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera_, noise_,
                         options_.tracker, frame);
   const bool is_sure = state_ == State::kTracking ||
@@ -147,7 +147,7 @@ void Odometry::ExtendMap(Frame& frame) {
 void Odometry::AddLandmarksAround(KeyframeId keyframe) {
   const StageTimer timer(times_.map_ms);
   for (const LandmarkId id : map_.keyframe(keyframe).frame.landmarks) {
-    if (id != kNone) map_.UpdateAppearance(id, noise_.octave_scales);
+    if (id != kNoId) map_.UpdateAppearance(id, noise_.octave_scales);
   }
   CullLandmarks(map_, options_.keyframes, recent_landmarks_);
   const LandmarkId first_new = map_.num_landmark_ids();
@@ -169,7 +169,7 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
     if (map_.FindLandmark(id) != nullptr) map_.CountVisible(id);
   }
   for (const LandmarkId id : frame.landmarks) {
-    if (id != kNone) map_.CountFound(id);
+    if (id != kNoId) map_.CountFound(id);
   }
   SetPosed(frame, tracking.num_matches, tracking.num_inliers);
   previous_.world_from_camera = PoseOf(records_[previous_.index]);
@@ -185,10 +185,10 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   const StageTimer timer(times_.locate_ms);
   const int index = frame.index;
-  frame.landmarks.assign(frame.landmarks.size(), kNone);
+  frame.landmarks.assign(frame.landmarks.size(), kNoId);
   const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
   FrameResult& result = records_[index].result;
-  const bool was_tracking = segment_ != kNone;
+  const bool was_tracking = segment_ != kNoId;
   result.reason = was_tracking ? tracking.reason : initialization.reason;
   result.state = state_ = was_tracking ? State::kLost : State::kInitializing;
   result.segment = segment_;
@@ -246,7 +246,7 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
   const int num_frames = static_cast<int>(frames.size());
   for (int i = located + step; i >= 0 && i < num_frames; i += step) {
     Frame& frame = frames[i];
-    if (records_[frame.index].anchor != kNone) break;
+    if (records_[frame.index].anchor != kNoId) break;
     const SE3 predicted = PredictPose(frames[located], frame.time_ns);
     const TrackingResult tracking = TrackFrame(map_, frames[located], predicted, camera_, noise_,
                                                options_.tracker, frame);
@@ -262,7 +262,7 @@ SE3 Odometry::PoseOf(const Record& record) const {
 
 FrameResult Odometry::ResultOf(const Record& record) const {
   FrameResult result = record.result;
-  if (record.anchor != kNone) result.world_from_camera = PoseOf(record);
+  if (record.anchor != kNoId) result.world_from_camera = PoseOf(record);
   return result;
 }
 

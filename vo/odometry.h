@@ -50,7 +50,7 @@ class Odometry {
   /// A frame's result, and where its camera is relative to a keyframe.
   struct Record {
     FrameResult result;
-    KeyframeId anchor = kNone;
+    KeyframeId anchor = kNoId;
     SE3 anchor_from_camera;
   };
 
@@ -94,7 +94,7 @@ class Odometry {
   std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
   std::vector<Record> records_;               // One an input frame.
   State state_ = State::kInitializing;
-  int segment_ = kNone;
+  int segment_ = kNoId;
   Frame previous_;            // The last posed frame.
   SE3 motion_;                // earlier_from_later over the last step between posed frames ...
   TimeNs step_ns_ = 0;        // ... and how long it took; 0 before the first.

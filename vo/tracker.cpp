@@ -48,7 +48,7 @@ LandmarkQueries QueriesFromPrevious(const Map& map, const Frame& previous, const
 
 void Assign(const std::vector<orb::Match>& matches, const std::vector<LandmarkId>& landmarks,
             Frame& frame) {
-  frame.landmarks.assign(frame.landmarks.size(), kNone);
+  frame.landmarks.assign(frame.landmarks.size(), kNoId);
   std::set<LandmarkId> seen;
   for (const orb::Match& match : matches) {
     if (seen.insert(landmarks[match.query]).second) {
@@ -59,7 +59,7 @@ void Assign(const std::vector<orb::Match>& matches, const std::vector<LandmarkId
 
 int CountLandmarks(const Frame& frame) {
   return static_cast<int>(frame.landmarks.size() -
-                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNone));
+                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
 int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted,
@@ -83,7 +83,7 @@ int RefinePose(const Map& map, const SE3& initial, const Camera& camera,
   std::vector<int> keypoints;
   std::vector<PointObservation> observations;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
-    if (frame.landmarks[k] == kNone) continue;
+    if (frame.landmarks[k] == kNoId) continue;
     keypoints.push_back(k);
     observations.push_back({map.FindLandmark(frame.landmarks[k])->in_world, frame.pixel(k),
                             noise.Sigma(frame.keypoint(k))});
@@ -91,7 +91,7 @@ int RefinePose(const Map& map, const SE3& initial, const Camera& camera,
   const PoseEstimate estimate = OptimizePose(initial, observations, camera);
   frame.world_from_camera = estimate.world_from_camera;
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
-    if (!estimate.is_inlier[i]) frame.landmarks[keypoints[i]] = kNone;
+    if (!estimate.is_inlier[i]) frame.landmarks[keypoints[i]] = kNoId;
   }
   return estimate.num_inliers;
 }
@@ -120,7 +120,7 @@ std::optional<SE3> EstimatePose(const std::vector<cv::Point3d>& in_world,
 std::optional<SE3> LocateAnywhere(const Map& map, const Frame& previous, const Camera& camera,
                                   const KeypointNoise& noise, Frame& frame) {
   constexpr double kMaxErrorSigmas = 3;
-  frame.landmarks.assign(frame.landmarks.size(), kNone);
+  frame.landmarks.assign(frame.landmarks.size(), kNoId);
   std::vector<cv::Point3d> in_world;
   std::vector<cv::Point2d> rays;
   for (const orb::Match& match : MatchFrames(previous, frame)) {
@@ -159,7 +159,7 @@ std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame
   for (const Covisible& covisible : map.FindCovisible(frame)) {
     if (num_keyframes++ == max_keyframes) break;
     for (const LandmarkId id : map.keyframe(covisible.keyframe).frame.landmarks) {
-      if (id != kNone) landmarks.insert(id);
+      if (id != kNoId) landmarks.insert(id);
     }
   }
   for (const LandmarkId id : frame.landmarks) landmarks.erase(id);
@@ -215,10 +215,10 @@ std::vector<LandmarkId> MatchLocalLandmarks(const Map& map, const Camera& camera
       KeepDistinctWithinOctave(nearest, frame, options.max_ratio), options.max_distance));
   std::vector<LandmarkId> visible = queries.landmarks;
   for (const LandmarkId id : frame.landmarks) {
-    if (id != kNone) visible.push_back(id);
+    if (id != kNoId) visible.push_back(id);
   }
   for (const orb::Match& match : matches) {
-    if (frame.landmarks[match.train] == kNone) {
+    if (frame.landmarks[match.train] == kNoId) {
       frame.landmarks[match.train] = queries.landmarks[match.query];
     }
   }

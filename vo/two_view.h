@@ -44,14 +44,14 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& second_from_first_homography,
 
 /// A point seen in both views.
 struct TwoViewPoint {
-  int match = kNone;             ///< Index of its match.
+  int match = kNoId;             ///< Index of its match.
   Eigen::Vector3d in_first;
   double parallax = 0;           ///< Radians.
 };
 
 /// The motion between two views, or why there is none.
 struct TwoViewResult {
-  Reason reason = Reason::kNone;  ///< kNone: the motion is accepted.
+  Reason reason = Reason::kNone;  ///< kNoId: the motion is accepted.
   SE3 first_from_second;          ///< The baseline has length 1.
   std::vector<TwoViewPoint> points;
   int num_inliers = 0;
