@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "apps/decimal_time.h"
+#include "vo/decimal_time.h"
 #include "apps/image_layouts.h"
-#include "apps/text_lines.h"
+#include "vo/text_lines.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "apps/decimal_time.h"
+#include "vo/decimal_time.h"
 #include "apps/image_layouts.h"
-#include "apps/text_lines.h"
+#include "vo/text_lines.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -26,11 +26,24 @@ class RangeCheck {
   std::string section_;
 };
 
+/// Throws what the options' own Validate() throws, if they have one, as "<section>.<message>".
+template <typename Options>
+void CheckTogether(const char* section, const Options& options) {
+  if constexpr (requires { options.Validate(); }) {
+    try {
+      options.Validate();
+    } catch (const Error& error) {
+      throw Error(std::string(section) + "." + error.what());
+    }
+  }
+}
+
 }  // namespace
 
 void OdometryOptions::Validate() const {
   VisitSections(*this, [](const char* name, const auto& section) {
     std::decay_t<decltype(section)>::Visit(section, RangeCheck(name));
+    CheckTogether(name, section);
   });
 }
 

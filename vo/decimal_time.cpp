@@ -1,6 +1,7 @@
-#include "apps/decimal_time.h"
+#include "vo/decimal_time.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -84,6 +85,13 @@ TimeNs ParseSeconds(std::string_view text, std::string_view where) {
     if (const auto time_ns = Round(*decimal)) return *time_ns;
   }
   throw Error(fmt::format("{}'{}' is not a time in seconds", where, text));
+}
+
+std::string FormatSeconds(TimeNs time_ns) {
+  constexpr TimeNs kNanosecondsPerSecond = 1'000'000'000;
+  const TimeNs seconds = time_ns / kNanosecondsPerSecond;
+  const TimeNs rest = time_ns % kNanosecondsPerSecond;
+  return fmt::format("{}{}.{:09}", time_ns < 0 ? "-" : "", std::abs(seconds), std::abs(rest));
 }
 
 TimeNs ParseNanoseconds(std::string_view text, std::string_view where) {

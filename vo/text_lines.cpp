@@ -1,5 +1,6 @@
-#include "apps/text_lines.h"
+#include "vo/text_lines.h"
 
+#include <charconv>
 #include <cmath>
 #include <fstream>
 
@@ -61,15 +62,12 @@ std::string LinePrefix(const std::filesystem::path& file, const TextLine& line) 
 }
 
 double ParseNumber(std::string_view text, std::string_view where) {
-  const std::string copy(text);
-  std::size_t used = 0;
-  double value = NAN;
-  try {
-    value = std::stod(copy, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used == 0 || used != copy.size() || !std::isfinite(value)) {
+  std::string_view digits = text;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  double value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [parsed, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc() || parsed != end || !std::isfinite(value)) {
     throw Error(fmt::format("{}'{}' is not a number", where, text));
   }
   return value;

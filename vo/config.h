@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "vo/camera.h"
+#include "vo/options.h"
+
+namespace corvo {
+
+// Configuration files are YAML, and strict: an unknown key, a key given twice, a value of the wrong
+// type or out of range is a corvo::Error that names file, line and key (and for an unknown key the
+// nearest known one).
+
+/// Keys that the file leaves out keep their defaults.
+OdometryOptions ReadOptions(const std::filesystem::path& file);
+
+/// The text of a file that ReadOptions() reads back the same: every key, each with its meaning and
+/// range as a comment.
+std::string WriteOptions(const OdometryOptions& options);
+
+/// A camera, and what its file says besides.
+struct CameraFile {
+  Camera camera;
+  std::optional<double> frame_rate_hz;
+  std::string source;  ///< Where the numbers come from; may be empty.
+};
+
+/// Keys: model (pinhole-radtan), width, height, fx, fy, cx, cy, all needed; k1, k2, p1, p2, k3,
+/// 0 if left out; frame_rate_hz and source, optional.
+CameraFile ReadCameraFile(const std::filesystem::path& file);
+
+/// The text of a file that ReadCameraFile() reads back the same.
+std::string WriteCameraFile(const CameraFile& camera_file);
+
+}  // namespace corvo
