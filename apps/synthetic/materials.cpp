@@ -39,6 +39,14 @@ void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int lar
   }
 }
 
+/// What every real surface has: many small marks of low contrast and a fine mottling.
+void AddWear(Canvas* canvas, std::uint64_t seed, int marks_per_square, int greys) {
+  Random random(Hash(seed, 1));
+  const int squares = canvas->side / 64 * (canvas->side / 64);
+  AddPatches(canvas, &random, squares * marks_per_square, 2, 7, greys);
+  AddNoise(canvas, Hash(seed, 2), {16, 4, greys / 4});
+}
+
 void DrawWindow(Canvas* canvas, Random* random, const Rectangle& area) {
   const int frame = random->Between(180, 235), pane = random->Between(20, 70);
   Add(canvas, {area.x - 10, area.y - 10, area.width + 20, area.height + 20}, -25);
@@ -109,6 +117,7 @@ Canvas DrawPlaster(std::uint64_t seed) {
   AddPatches(&canvas, &random, 260, 3, 14, 70);
   for (int i = 0; i < 8; ++i) DrawCrack(&canvas, &random, 300, 2, 90);
   AddNoise(&canvas, seed, {256, 2, 22});
+  AddWear(&canvas, seed, 3, 45);
   return canvas;
 }
 
@@ -118,6 +127,7 @@ Canvas DrawBricks(std::uint64_t seed) {
   DrawMasonry(&canvas, seed, {64, 32, 4, 85, 150, 185, true});
   AddPatches(&canvas, &random, 200, 4, 20, 50);
   AddNoise(&canvas, seed, {128, 2, 18});
+  AddWear(&canvas, seed, 4, 45);
   return canvas;
 }
 
@@ -127,6 +137,7 @@ Canvas DrawTiles(std::uint64_t seed) {
   DrawMasonry(&canvas, seed, {128, 128, 5, 90, 190, 60, false});
   AddPatches(&canvas, &random, 300, 4, 24, 40);
   AddNoise(&canvas, seed, {64, 2, 18});
+  AddWear(&canvas, seed, 3, 40);
   return canvas;
 }
 
@@ -144,6 +155,7 @@ Canvas DrawWood(std::uint64_t seed) {
     FillDisc(&canvas, random.Between(0, 511), random.Between(0, 511), random.Between(3, 8), 60);
   }
   AddNoise(&canvas, seed, {64, 2, 14});
+  AddWear(&canvas, seed, 4, 35);
   return canvas;
 }
 
@@ -187,6 +199,7 @@ Canvas DrawFacade(std::uint64_t seed) {
   AddPatches(&canvas, &random, 60, 10, 90, 20);
   AddPatches(&canvas, &random, 150, 3, 10, 45);
   AddNoise(&canvas, seed, {256, 2, 14});
+  AddWear(&canvas, seed, 16, 60);
   for (int cell = 0; cell < 16; ++cell) DrawFacadeCell(&canvas, &random, cell % 4, cell / 4);
   Fill(&canvas, {0, -260, 1024, 6}, random.Between(60, 220));
   Add(&canvas, {0, -30, 1024, 30}, -40);
@@ -205,6 +218,7 @@ Canvas DrawAsphalt(std::uint64_t seed) {
     FillDisc(&canvas, x, y, 20, 85);
   }
   AddNoise(&canvas, seed, {512, 2, 14});
+  AddWear(&canvas, seed, 14, 50);
   return canvas;
 }
 
@@ -214,6 +228,7 @@ Canvas DrawPaving(std::uint64_t seed) {
   DrawMasonry(&canvas, seed, {32, 32, 2, 125, 180, 75, true});
   AddPatches(&canvas, &random, 150, 2, 8, 50);
   AddNoise(&canvas, seed, {128, 2, 12});
+  AddWear(&canvas, seed, 8, 50);
   return canvas;
 }
 
@@ -238,12 +253,13 @@ Canvas DrawPanel(std::uint64_t seed) {
     Fill(&canvas, {x + 16, 40, 96, 150}, random.Between(20, 60));
     Fill(&canvas, {x + 16, 40, random.Between(10, 50), 150}, random.Between(60, 110));
     Fill(&canvas, {x + 90, 240, 22, 7}, random.Between(20, 240));
-    if (random.Chance(50)) DrawText(&canvas, &random, {x + 14, 300, 100, 80}, 6, 255 - grey);
+    if (random.Chance(50)) DrawText(&canvas, &random, {x + 14, 300, 100, 60}, 4, 255 - grey);
   }
   Fill(&canvas, {0, 215, 512, 4}, grey / 2);
   Fill(&canvas, {0, 430, 512, 82}, 45);
   AddPatches(&canvas, &random, 60, 2, 8, 50);
   AddNoise(&canvas, seed, {128, 4, 7});
+  AddWear(&canvas, seed, 6, 40);
   return canvas;
 }
 
@@ -258,6 +274,7 @@ Canvas DrawMural(std::uint64_t seed) {
                   random.Between(100, 300)});
   }
   AddNoise(&canvas, seed, {256, 2, 15});
+  AddWear(&canvas, seed, 4, 45);
   return canvas;
 }
 

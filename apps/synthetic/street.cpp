@@ -63,7 +63,7 @@ class StreetBuilder {
     for (std::uint64_t i = 0; i < 3; ++i) panels_.push_back(NewMaterial(DrawPanel(50 + i), 128));
     asphalt_ = NewMaterial(DrawAsphalt(60), 60);
     paving_ = NewMaterial(DrawPaving(61), 80);
-    foliage_ = NewMaterial(DrawFoliage(62), 70);
+    foliage_ = NewMaterial(DrawFoliage(62), 130);
     wood_ = NewMaterial(DrawWood(63), 200);
     poster_ = NewMaterial(DrawPoster(64), 400);
   }
@@ -190,8 +190,8 @@ class StreetBuilder {
     const double trunk = random->Uniform(1.8, 2.6);
     const Eigen::Vector3d base(position.x(), position.y(), 0);
     const Eigen::Vector2d origin(random->Between(0, 511), random->Between(0, 511));
-    scene_->AddBox({base, place.heading, {0.3, 0.3, trunk}, wood_, wood_, origin, 0.7});
-    double width = random->Uniform(1.8, 2.6), height = trunk;
+    scene_->AddBox({base, place.heading, {0.3, 0.3, trunk}, foliage_, foliage_, origin, 0.7});
+    double width = random->Uniform(1.9, 3.0), height = trunk;
     for (int i = 0; i < 3; ++i) {
       const double thickness = random->Uniform(0.6, 1.2);
       scene_->AddBox({base + Eigen::Vector3d(0, 0, height),
