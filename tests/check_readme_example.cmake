@@ -1,0 +1,8 @@
+# Fails unless README.md shows tests/embedding_example.cpp word for word.
+#   cmake -D README=... -D EXAMPLE=... -P check_readme_example.cmake
+file(READ "${README}" readme)
+file(READ "${EXAMPLE}" example)
+string(FIND "${readme}" "```cpp\n${example}```\n" position)
+if(position EQUAL -1)
+  message(FATAL_ERROR "${README} does not show the text of ${EXAMPLE}")
+endif()
