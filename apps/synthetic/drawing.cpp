@@ -89,10 +89,11 @@ void Add(Canvas* canvas, const Rectangle& area, int greys) {
   }
 }
 
-void FillDisc(Canvas* canvas, int x, int y, int radius, int grey) {
-  for (int v = -radius; v <= radius; ++v) {
-    for (int u = -radius; u <= radius; ++u) {
-      if (u * u + v * v <= radius * radius) canvas->At(x + u, y + v) = Clamp(grey);
+void Fill(Canvas* canvas, const Disc& area, int grey) {
+  for (int v = -area.radius; v <= area.radius; ++v) {
+    for (int u = -area.radius; u <= area.radius; ++u) {
+      if (u * u + v * v > area.radius * area.radius) continue;
+      canvas->At(area.x + u, area.y + v) = Clamp(grey);
     }
   }
 }
@@ -102,8 +103,10 @@ void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int gr
   const int drift_x = random->Between(-1, 1), drift_y = random->Between(-1, 1);
   for (int i = 0; i < length; ++i) {
     Fill(canvas, {x, y, thickness, thickness}, grey);
-    x += random->Between(-1, 1) + (random->Chance(50) ? drift_x : 0);
-    y += random->Between(-1, 1) + (random->Chance(50) ? drift_y : 0);
+    x += random->Between(-1, 1);
+    y += random->Between(-1, 1);
+    if (random->Chance(50)) x += drift_x;
+    if (random->Chance(50)) y += drift_y;
   }
 }
 

@@ -12,6 +12,10 @@ struct Rectangle {
   int x, y, width, height;
 };
 
+struct Disc {
+  int x, y, radius;
+};
+
 /// Value noise: lattices of hashed values, smoothly interpolated, of cell size `coarsest`, half of
 /// that, and so on to `finest` (powers of two); `amplitude` greys in the coarsest, 3/4 as much in
 /// each one after it.
@@ -22,7 +26,7 @@ void AddNoise(Canvas* canvas, std::uint64_t seed, const Noise& noise);
 
 void Fill(Canvas* canvas, const Rectangle& area, int grey);
 void Add(Canvas* canvas, const Rectangle& area, int greys);
-void FillDisc(Canvas* canvas, int x, int y, int radius, int grey);
+void Fill(Canvas* canvas, const Disc& area, int grey);
 
 /// A random walk of `length` steps, `thickness` texels thick.
 void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int grey);

@@ -15,7 +15,7 @@ struct Masonry {
 };
 
 void DrawMasonry(Canvas* canvas, std::uint64_t seed, const Masonry& masonry) {
-  Fill(canvas, {0, 0, canvas->side, canvas->side}, masonry.joint_grey);
+  Fill(canvas, Rectangle{0, 0, canvas->side, canvas->side}, masonry.joint_grey);
   const int rows = canvas->side / masonry.height, columns = canvas->side / masonry.width;
   for (int row = 0; row < rows; ++row) {
     const int shift = masonry.shifted && row % 2 == 1 ? masonry.width / 2 : 0;
@@ -35,7 +35,7 @@ void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int lar
     const int x = random->Between(0, canvas->side - 1), y = random->Between(0, canvas->side - 1);
     const int width = random->Between(smallest, largest);
     const int height = random->Between(smallest, largest);
-    Add(canvas, {x, y, width, height}, random->Between(-greys, greys));
+    Add(canvas, Rectangle{x, y, width, height}, random->Between(-greys, greys));
   }
 }
 
@@ -49,7 +49,7 @@ void AddWear(Canvas* canvas, std::uint64_t seed, int marks_per_square, int greys
 
 void DrawWindow(Canvas* canvas, Random* random, const Rectangle& area) {
   const int frame = random->Between(180, 235), pane = random->Between(20, 70);
-  Add(canvas, {area.x - 10, area.y - 10, area.width + 20, area.height + 20}, -25);
+  Add(canvas, Rectangle{area.x - 10, area.y - 10, area.width + 20, area.height + 20}, -25);
   Fill(canvas, area, frame);
   const int columns = random->Between(1, 2), rows = random->Between(1, 3), bar = 6;
   const int width = (area.width - bar) / columns, height = (area.height - bar) / rows;
@@ -59,20 +59,21 @@ void DrawWindow(Canvas* canvas, Random* random, const Rectangle& area) {
     Fill(canvas, glass, pane + random->Between(-12, 12));
     if (random->Chance(40)) {
       const int drawn = random->Between(glass.width / 5, glass.width / 2);
-      Fill(canvas, {glass.x, glass.y, drawn, glass.height}, random->Between(110, 190));
+      Fill(canvas, Rectangle{glass.x, glass.y, drawn, glass.height}, random->Between(110, 190));
     }
   }
-  Fill(canvas, {area.x - 8, area.y + area.height, area.width + 16, 10}, random->Between(150, 220));
+  Fill(canvas, Rectangle{area.x - 8, area.y + area.height, area.width + 16, 10},
+       random->Between(150, 220));
 }
 
 void DrawDoor(Canvas* canvas, Random* random, const Rectangle& area) {
   const int grey = random->Between(30, 110);
-  Fill(canvas, {area.x - 8, area.y - 8, area.width + 16, area.height + 8}, 200);
+  Fill(canvas, Rectangle{area.x - 8, area.y - 8, area.width + 16, area.height + 8}, 200);
   Fill(canvas, area, grey);
-  Fill(canvas, {area.x + 10, area.y + 12, area.width - 20, area.height / 3}, grey + 40);
-  Fill(canvas, {area.x + 10, area.y + area.height / 2, area.width - 20, area.height / 3},
+  Fill(canvas, Rectangle{area.x + 10, area.y + 12, area.width - 20, area.height / 3}, grey + 40);
+  Fill(canvas, Rectangle{area.x + 10, area.y + area.height / 2, area.width - 20, area.height / 3},
        grey - 15);
-  FillDisc(canvas, area.x + area.width - 8, area.y + area.height / 2, 3, 220);
+  Fill(canvas, Disc{area.x + area.width - 8, area.y + area.height / 2, 3}, 220);
 }
 
 /// One cell of a facade, 256x256, `floor` counted from the ground (y grows downwards).
@@ -94,13 +95,14 @@ void DrawPosterAt(Canvas* canvas, Random* random, const Rectangle& area) {
     const int height = random->Between(area.height / 12, area.height / 3);
     const int x = area.x + random->Between(0, area.width - width);
     const int y = area.y + random->Between(0, area.height - height);
-    Fill(canvas, {x, y, width, height}, random->Between(10, 245));
+    Fill(canvas, Rectangle{x, y, width, height}, random->Between(10, 245));
   }
   const int radius = std::min(area.width, area.height) / 10;
   for (int i = random->Between(1, 4); i > 0; --i) {
-    FillDisc(canvas, area.x + random->Between(radius, area.width - radius),
-             area.y + random->Between(radius, area.height - radius),
-             random->Between(radius / 3, radius), random->Between(10, 245));
+    const Disc disc = {area.x + random->Between(radius, area.width - radius),
+                       area.y + random->Between(radius, area.height - radius),
+                       random->Between(radius / 3, radius)};
+    Fill(canvas, disc, random->Between(10, 245));
   }
   const Rectangle text = {area.x + area.width / 10, area.y + area.height * 2 / 3,
                           area.width * 4 / 5, area.height / 4};
@@ -146,13 +148,12 @@ Canvas DrawWood(std::uint64_t seed) {
   Random random(seed);
   DrawMasonry(&canvas, seed, {256, 64, 3, 95, 160, 50, true});
   for (int i = 0; i < 250; ++i) {
-    Add(&canvas,
-        {random.Between(0, 511), random.Between(0, 511), random.Between(30, 120),
-         random.Between(1, 3)},
-        random.Between(-35, 25));
+    const Rectangle streak = {random.Between(0, 511), random.Between(0, 511),
+                              random.Between(30, 120), random.Between(1, 3)};
+    Add(&canvas, streak, random.Between(-35, 25));
   }
   for (int i = 0; i < 25; ++i) {
-    FillDisc(&canvas, random.Between(0, 511), random.Between(0, 511), random.Between(3, 8), 60);
+    Fill(&canvas, Disc{random.Between(0, 511), random.Between(0, 511), random.Between(3, 8)}, 60);
   }
   AddNoise(&canvas, seed, {64, 2, 14});
   AddWear(&canvas, seed, 4, 35);
@@ -166,15 +167,16 @@ Canvas DrawBooks(std::uint64_t seed) {
     const int bottom = 128 * (shelf + 1) - 10;
     for (int x = 0; x < 500;) {
       const int width = std::min(random.Between(9, 30), 512 - x), height = random.Between(75, 112);
-      Fill(&canvas, {x, bottom - height, width - 1, height}, random.Between(50, 230));
-      Fill(&canvas, {x, bottom - height + random.Between(8, 20), width - 1, random.Between(4, 14)},
-           random.Between(20, 245));
+      Fill(&canvas, Rectangle{x, bottom - height, width - 1, height}, random.Between(50, 230));
+      const Rectangle band = {x, bottom - height + random.Between(8, 20), width - 1,
+                              random.Between(4, 14)};
+      Fill(&canvas, band, random.Between(20, 245));
       if (width > 14) {
         DrawText(&canvas, &random, {x + 3, bottom - height / 2, width - 6, height / 3}, 2, 240);
       }
       x += width;
     }
-    Fill(&canvas, {0, bottom, 512, 10}, 140);
+    Fill(&canvas, Rectangle{0, bottom, 512, 10}, 140);
   }
   AddNoise(&canvas, seed, {64, 4, 8});
   return canvas;
@@ -194,15 +196,15 @@ Canvas DrawFacade(std::uint64_t seed) {
   if (random.Chance(50)) {
     DrawMasonry(&canvas, seed, {32, 16, 2, 95, 150, 175, true});
   } else {
-    Fill(&canvas, {0, 0, 1024, 1024}, random.Between(120, 190));
+    Fill(&canvas, Rectangle{0, 0, 1024, 1024}, random.Between(120, 190));
   }
   AddPatches(&canvas, &random, 60, 10, 90, 20);
   AddPatches(&canvas, &random, 150, 3, 10, 45);
   AddNoise(&canvas, seed, {256, 2, 14});
   AddWear(&canvas, seed, 16, 60);
   for (int cell = 0; cell < 16; ++cell) DrawFacadeCell(&canvas, &random, cell % 4, cell / 4);
-  Fill(&canvas, {0, -260, 1024, 6}, random.Between(60, 220));
-  Add(&canvas, {0, -30, 1024, 30}, -40);
+  Fill(&canvas, Rectangle{0, -260, 1024, 6}, random.Between(60, 220));
+  Add(&canvas, Rectangle{0, -30, 1024, 30}, -40);
   return canvas;
 }
 
@@ -214,8 +216,8 @@ Canvas DrawAsphalt(std::uint64_t seed) {
   AddPatches(&canvas, &random, 1500, 2, 9, 60);
   for (int i = 0; i < 14; ++i) {
     const int x = random.Between(0, 2047), y = random.Between(0, 2047);
-    FillDisc(&canvas, x, y, 24, 50);
-    FillDisc(&canvas, x, y, 20, 85);
+    Fill(&canvas, Disc{x, y, 24}, 50);
+    Fill(&canvas, Disc{x, y, 20}, 85);
   }
   AddNoise(&canvas, seed, {512, 2, 14});
   AddWear(&canvas, seed, 14, 50);
@@ -236,8 +238,8 @@ Canvas DrawFoliage(std::uint64_t seed) {
   Canvas canvas(512, 55);
   Random random(seed);
   for (int i = 0; i < 5000; ++i) {
-    FillDisc(&canvas, random.Between(0, 511), random.Between(0, 511), random.Between(2, 7),
-             random.Between(25, 140));
+    const Disc leaf = {random.Between(0, 511), random.Between(0, 511), random.Between(2, 7)};
+    Fill(&canvas, leaf, random.Between(25, 140));
   }
   AddNoise(&canvas, seed, {128, 2, 20});
   return canvas;
@@ -249,14 +251,15 @@ Canvas DrawPanel(std::uint64_t seed) {
   Canvas canvas(512, static_cast<std::uint8_t>(grey));
   for (int i = 0; i < 4; ++i) {
     const int x = 128 * i;
-    Fill(&canvas, {x, 0, 3, 512}, grey / 2);
-    Fill(&canvas, {x + 16, 40, 96, 150}, random.Between(20, 60));
-    Fill(&canvas, {x + 16, 40, random.Between(10, 50), 150}, random.Between(60, 110));
-    Fill(&canvas, {x + 90, 240, 22, 7}, random.Between(20, 240));
+    Fill(&canvas, Rectangle{x, 0, 3, 512}, grey / 2);
+    Fill(&canvas, Rectangle{x + 16, 40, 96, 150}, random.Between(20, 60));
+    const Rectangle reflection = {x + 16, 40, random.Between(10, 50), 150};
+    Fill(&canvas, reflection, random.Between(60, 110));
+    Fill(&canvas, Rectangle{x + 90, 240, 22, 7}, random.Between(20, 240));
     if (random.Chance(50)) DrawText(&canvas, &random, {x + 14, 300, 100, 60}, 4, 255 - grey);
   }
-  Fill(&canvas, {0, 215, 512, 4}, grey / 2);
-  Fill(&canvas, {0, 430, 512, 82}, 45);
+  Fill(&canvas, Rectangle{0, 215, 512, 4}, grey / 2);
+  Fill(&canvas, Rectangle{0, 430, 512, 82}, 45);
   AddPatches(&canvas, &random, 60, 2, 8, 50);
   AddNoise(&canvas, seed, {128, 4, 7});
   AddWear(&canvas, seed, 6, 40);

@@ -20,7 +20,8 @@ constexpr std::uint64_t Hash(std::uint64_t seed, std::int64_t x, std::int64_t y 
   return Mix(first + kGolden * (static_cast<std::uint64_t>(y) + 1));
 }
 
-/// SplitMix64 as a stream of numbers: the same on every machine and standard library.
+/// SplitMix64 as a stream of numbers: the same on every machine and standard library, so long as
+/// the order of the calls is fixed: at most one among the arguments of a function.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(Mix(seed + kGolden)) {}

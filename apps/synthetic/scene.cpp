@@ -35,14 +35,15 @@ Quad Side(const Box& box, const Eigen::Vector3d& normal, double distance, double
   return quad;
 }
 
-Quad Top(const Box& box, const Eigen::Vector3d& x_axis, const Eigen::Vector3d& y_axis) {
+/// The top of a box (`facing` 1) or its bottom (-1), `height` above its base.
+Quad Level(const Box& box, int facing, double height, const Eigen::Vector3d& x_axis,
+           const Eigen::Vector3d& y_axis) {
   Quad quad;
   quad.right = x_axis;
-  quad.down = -y_axis;
+  quad.down = -facing * y_axis;
   quad.width = box.size.x();
   quad.height = box.size.y();
-  quad.corner =
-      box.base + box.size.z() * kUp - 0.5 * box.size.x() * x_axis + 0.5 * box.size.y() * y_axis;
+  quad.corner = box.base + height * kUp - 0.5 * quad.width * x_axis - 0.5 * quad.height * quad.down;
   quad.texture = box.top.texture;
   quad.texels_per_metre.setConstant(box.top.texels_per_metre);
   quad.texture_origin = box.texture_origin;
@@ -77,7 +78,8 @@ void Scene::AddBox(const Box& box) {
   AddLit(Side(box, x_axis, 0.5 * box.size.x(), box.size.y()));
   AddLit(Side(box, y_axis, 0.5 * box.size.y(), box.size.x()));
   AddLit(Side(box, -x_axis, 0.5 * box.size.x(), box.size.y()));
-  AddLit(Top(box, x_axis, y_axis));
+  AddLit(Level(box, 1, box.size.z(), x_axis, y_axis));
+  if (box.base.z() > 0) AddLit(Level(box, -1, 0, x_axis, y_axis));
 }
 
 std::uint64_t Scene::Fingerprint() const {

@@ -31,8 +31,9 @@ struct Material {
   double texels_per_metre = 100;
 };
 
-/// A cuboid that stands on `base`, turned by `yaw` about the vertical. Only its four sides and its
-/// top are there; the texture of each side starts at `texture_origin` at its lower left corner.
+/// A cuboid that stands on `base`, turned by `yaw` about the vertical. It has a bottom only if it
+/// is above the ground; the texture of each side starts at `texture_origin` at its lower left
+/// corner.
 struct Box {
   Eigen::Vector3d base;  ///< Centre of the footprint.
   double yaw = 0;        ///< rad

@@ -124,8 +124,8 @@ class StreetBuilder {
     scene_->AddBox({{centre.x(), centre.y(), 0}, heading, size, facade, paving_, origin, gain});
     const Eigen::Rotation2Dd turn(heading);
     for (int i = random->Between(0, 2); i > 0; --i) {  // Bays.
-      const Eigen::Vector3d bay(random->Uniform(1.8, 3), random->Uniform(0.5, 1.2),
-                                random->Uniform(2.8, size.z() - 1));
+      const Eigen::Vector3d bay{random->Uniform(1.8, 3), random->Uniform(0.5, 1.2),
+                                random->Uniform(2.8, size.z() - 1)};
       const double along = random->Uniform(bay.x() - size.x(), size.x() - bay.x()) / 2;
       const Eigen::Vector2d base =
           centre + turn * Eigen::Vector2d(along, -side * (size.y() + bay.y()) / 2);
@@ -140,9 +140,11 @@ class StreetBuilder {
     }
   }
 
+  /// In pieces that overlap a little: every second one is higher, so that no two surfaces coincide.
   void AddPavement(int side) {
-    constexpr double kPiece = 2.0, kBreadth = 2.6, kRise = 0.13;
-    for (double along = 0; along < path_.length(); along += kPiece) {
+    constexpr double kPiece = 2.0, kBreadth = 2.6;
+    for (int i = 0; i * kPiece < path_.length(); ++i) {
+      const double along = i * kPiece, rise = i % 2 == 0 ? 0.130 : 0.133;
       const StreetPath::Place place = path_.At(along + kPiece / 2);
       const double left = side * (kKerb + kBreadth / 2);
       const double length = kPiece * (1 - left * place.curvature) + 0.02;
@@ -150,7 +152,7 @@ class StreetBuilder {
       const Eigen::Vector2d origin(along * paving_.texels_per_metre, 0);
       scene_->AddBox({{centre.x(), centre.y(), 0},
                       place.heading,
-                      {length, kBreadth, kRise},
+                      {length, kBreadth, rise},
                       paving_,
                       paving_,
                       origin,
@@ -189,7 +191,7 @@ class StreetBuilder {
   void AddTree(const StreetPath::Place& place, const Eigen::Vector2d& position, Random* random) {
     const double trunk = random->Uniform(1.8, 2.6);
     const Eigen::Vector3d base(position.x(), position.y(), 0);
-    const Eigen::Vector2d origin(random->Between(0, 511), random->Between(0, 511));
+    const Eigen::Vector2d origin{random->Uniform(0, 512), random->Uniform(0, 512)};
     scene_->AddBox({base, place.heading, {0.3, 0.3, trunk}, foliage_, foliage_, origin, 0.7});
     double width = random->Uniform(1.9, 3.0), height = trunk;
     for (int i = 0; i < 3; ++i) {
@@ -208,7 +210,7 @@ class StreetBuilder {
 
   void AddPole(const StreetPath::Place& place, const Eigen::Vector2d& position, Random* random) {
     const Eigen::Vector3d base(position.x(), position.y(), 0);
-    const Eigen::Vector2d origin(random->Between(0, 511), random->Between(0, 511));
+    const Eigen::Vector2d origin{random->Uniform(0, 512), random->Uniform(0, 512)};
     scene_->AddBox(
         {base, place.heading, {0.18, 0.18, random->Uniform(4, 6)}, wood_, wood_, origin, 0.9});
     const Eigen::Vector3d sign = base + Eigen::Vector3d(0, 0, random->Uniform(2.2, 2.8));
