@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <string>
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -48,14 +48,16 @@ int WantedFeatures(const ExtractorOptions& options, int image_width) {
   return image_width >= 1000 ? 2000 : 1000;
 }
 
-/// Calls `work(level)` for every level, up to `threads` at once.
+/// Calls `work(level)` for every level, up to `threads` at once (no more than there are
+/// processors).
 template <typename Work>
 void ForEachLevel(int num_levels, int threads, const Work& work) {
-  if (threads == 1) {
+  const int usable = std::min(threads, tbb::info::default_concurrency());
+  if (usable == 1) {
     for (int level = 0; level < num_levels; ++level) work(level);
     return;
   }
-  tbb::task_arena arena(threads);
+  tbb::task_arena arena(usable);
   arena.execute([&] { tbb::parallel_for(0, num_levels, work); });
 }
 

@@ -1,0 +1,79 @@
+#include "orb/descriptor.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "tests/orb/images.h"
+
+namespace corvo::orb {
+namespace {
+
+int NaiveSum(const cv::Mat& image, int x, int y) {
+  int sum = 0;
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) sum += image.at<std::uint8_t>(y + dy, x + dx);
+  }
+  return sum;
+}
+
+bool Bit(const Descriptor& descriptor, int i) { return (descriptor.bytes[i / 8] >> (i % 8)) & 1; }
+
+TEST(WindowSumsTest, AreExactSumsOf25Pixels) {
+  const cv::Mat image = test::NoiseImage({53, 31}, 1);
+  const cv::Mat sums = WindowSums(image);
+  ASSERT_EQ(sums.type(), CV_16UC1);
+  ASSERT_EQ(sums.size(), image.size());
+  for (int y = 2; y < image.rows - 2; ++y) {
+    for (int x = 2; x < image.cols - 2; ++x) {
+      ASSERT_EQ(sums.at<std::uint16_t>(y, x), NaiveSum(image, x, y));
+    }
+  }
+}
+
+TEST(WindowSumsTest, WhiteIsNotSaturatedAndTinyImagesAreZero) {
+  const cv::Mat white(5, 5, CV_8UC1, cv::Scalar(255));
+  EXPECT_EQ(WindowSums(white).at<std::uint16_t>(2, 2), 25 * 255);
+  EXPECT_EQ(cv::countNonZero(WindowSums(white)), 1);
+  EXPECT_EQ(cv::countNonZero(WindowSums(white(cv::Rect(0, 0, 4, 4)))), 0);
+}
+
+TEST(DescribeTest, BitIsOneWhereTheWindowAtPIsDarker) {
+  const cv::Mat image = test::NoiseImage({43, 43}, 2);
+  const RotatedPatterns patterns(MakeBriefPattern(), 30);
+  const cv::Mat sums = WindowSums(image);
+  for (int bin = 0; bin < 30; ++bin) {
+    const Descriptor descriptor = Describe(sums, 21, 21, patterns[bin]);
+    for (int i = 0; i < kNumTests; ++i) {
+      const auto& [p, q] = patterns[bin][i];
+      const bool darker = NaiveSum(image, 21 + p.x, 21 + p.y) < NaiveSum(image, 21 + q.x, 21 + q.y);
+      ASSERT_EQ(Bit(descriptor, i), darker) << "test " << i;
+    }
+  }
+}
+
+TEST(DescribeTest, EqualSumsGiveZero) {
+  const cv::Mat sums = WindowSums(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)));
+  EXPECT_EQ(Describe(sums, 21, 21, MakeBriefPattern()), Descriptor{});
+}
+
+TEST(DescribeTest, GainAndOffsetChangeNothing) {
+  const cv::Mat image = test::NoiseImage({43, 43}, 3) / 4;  // 0 to 64
+  const cv::Mat brighter = 3 * image + cv::Scalar(60);      // to 252, nothing saturates
+  EXPECT_EQ(Describe(WindowSums(brighter), 21, 21, MakeBriefPattern()),
+            Describe(WindowSums(image), 21, 21, MakeBriefPattern()));
+}
+
+TEST(DescribeTest, TurnsWithTheImage) {
+  const RotatedPatterns patterns(MakeBriefPattern(), 36);
+  const cv::Mat image = test::NoiseImage({43, 43}, 4);
+  cv::Mat turned;
+  cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);
+  for (int bin = 0; bin < 27; ++bin) {
+    EXPECT_EQ(Describe(WindowSums(turned), 21, 21, patterns[bin + 9]),
+              Describe(WindowSums(image), 21, 21, patterns[bin]));
+  }
+}
+
+}  // namespace
+}  // namespace corvo::orb

@@ -1,0 +1,153 @@
+#include "orb/grid.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "tests/support/random.h"
+
+namespace corvo::orb {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<int> Shares(int total, std::vector<std::int64_t> weights, std::vector<int> capacities) {
+  return Apportion(total, weights, capacities);
+}
+
+TEST(ApportionTest, SharesAreProportional) {
+  EXPECT_THAT(Shares(100, {5, 3, 2}, {1000, 1000, 1000}), ElementsAre(50, 30, 20));
+}
+
+TEST(ApportionTest, LargestRemaindersGetTheRest) {
+  EXPECT_THAT(Shares(10, {34, 33, 33}, {99, 99, 99}), ElementsAre(4, 3, 3));
+  EXPECT_THAT(Shares(10, {24, 57, 19}, {99, 99, 99}), ElementsAre(2, 6, 2));  // 2.4, 5.7, 1.9
+}
+
+TEST(ApportionTest, EqualRemaindersGoToTheLowerIndex) {
+  EXPECT_THAT(Shares(5, {1, 1, 1}, {9, 9, 9}), ElementsAre(2, 2, 1));
+}
+
+TEST(ApportionTest, WhatOneCannotTakeGoesToTheOthersInProportion) {
+  EXPECT_THAT(Shares(100, {5, 3, 2}, {0, 1000, 1000}), ElementsAre(0, 60, 40));
+  EXPECT_THAT(Shares(100, {5, 3, 2}, {10, 40, 1000}), ElementsAre(10, 40, 50));
+}
+
+TEST(ApportionTest, TotalIsBoundedByTheCapacities) {
+  EXPECT_THAT(Shares(100, {5, 3, 2}, {1, 2, 3}), ElementsAre(1, 2, 3));
+  EXPECT_THAT(Shares(0, {5, 3}, {1, 2}), ElementsAre(0, 0));
+  EXPECT_THAT(Shares(7, {0, 3}, {0, 9}), ElementsAre(0, 7));
+  EXPECT_THAT(Shares(7, {}, {}), IsEmpty());
+}
+
+TEST(ApportionTest, SumIsExactAndNoCapacityExceeded) {
+  test::Random random(1);
+  for (int run = 0; run < 2000; ++run) {
+    const int size = random.UniformInt(1, 9);
+    std::vector<std::int64_t> weights;
+    std::vector<int> capacities;
+    for (int i = 0; i < size; ++i) {
+      weights.push_back(random.UniformInt(1, 100000));
+      capacities.push_back(random.UniformInt(0, 300));
+    }
+    const int total = random.UniformInt(0, 1500);
+    const auto shares = Apportion(total, weights, capacities);
+    const int available = std::accumulate(capacities.begin(), capacities.end(), 0);
+    EXPECT_EQ(std::accumulate(shares.begin(), shares.end(), 0), std::min(total, available));
+    for (int i = 0; i < size; ++i) {
+      EXPECT_GE(shares[i], 0);
+      EXPECT_LE(shares[i], capacities[i]);
+    }
+  }
+}
+
+/// Distinct random corners in row-major order, of few different strengths.
+std::vector<RankedCorner> RandomCorners(const cv::Rect& area, int attempts, std::uint64_t seed) {
+  test::Random random(seed);
+  std::map<std::pair<int, int>, RankedCorner> corners;
+  for (int i = 0; i < attempts; ++i) {
+    const int x = random.UniformInt(area.x, area.br().x - 1);
+    // Denser towards the bottom.
+    const int y = area.br().y - 1 - random.UniformInt(0, random.UniformInt(0, area.height - 1));
+    const int strength = random.UniformInt(-5, 30);
+    corners[{y, x}] = {x, y, strength > 10, strength};
+  }
+  std::vector<RankedCorner> ordered;
+  for (const auto& [position, corner] : corners) ordered.push_back(corner);
+  return ordered;
+}
+
+TEST(SelectStrongestTest, TakesStrongCornersFirstThenByStrengthThenByIndex) {
+  const std::vector<RankedCorner> corners = {
+      {0, 0, false, 90}, {1, 0, true, 20}, {2, 0, true, 30}, {3, 0, true, 20}, {4, 0, false, 95}};
+  EXPECT_THAT(SelectStrongest(corners, 1), ElementsAre(2));
+  EXPECT_THAT(SelectStrongest(corners, 2), ElementsAre(1, 2));
+  EXPECT_THAT(SelectStrongest(corners, 3), ElementsAre(1, 2, 3));
+  EXPECT_THAT(SelectStrongest(corners, 4), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(SelectStrongest(corners, 9), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(SelectStrongest(corners, 0), IsEmpty());
+}
+
+TEST(SelectInGridTest, EveryCellGivesItsStrongestFirst) {
+  // Two cells of 10 x 10; the left one has all the strong corners.
+  const std::vector<RankedCorner> corners = {
+      {1, 1, true, 50}, {5, 1, true, 60}, {15, 1, false, 8}, {4, 4, true, 70}, {16, 4, false, 9}};
+  const cv::Rect area(0, 0, 20, 10);
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 1), ElementsAre(3));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 2), ElementsAre(3, 4));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 3), ElementsAre(1, 3, 4));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 4), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 5), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 0), IsEmpty());
+}
+
+TEST(SelectInGridTest, TiesGoToTheLowerIndex) {
+  const std::vector<RankedCorner> corners = {
+      {1, 1, true, 5}, {2, 1, true, 5}, {11, 1, true, 5}, {12, 1, true, 5}};
+  const cv::Rect area(0, 0, 20, 10);
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 1), ElementsAre(0));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 2), ElementsAre(0, 2));
+  EXPECT_THAT(SelectInGrid(corners, area, 10, 3), ElementsAre(0, 1, 2));
+}
+
+TEST(SelectInGridTest, OneCellIsTheStrongestOfAll) {
+  const cv::Rect area(21, 21, 200, 150);
+  const auto corners = RandomCorners(area, 500, 2);
+  for (const int quota : {1, 17, 200}) {
+    EXPECT_EQ(SelectInGrid(corners, area, 1000, quota), SelectStrongest(corners, quota));
+  }
+}
+
+TEST(SelectInGridTest, PicksExactlyTheQuotaOrAll) {
+  const cv::Rect area(21, 21, 313, 157);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto corners = RandomCorners(area, 700, seed);
+    for (const int quota : {1, 2, 50, 333, 600, 5000}) {
+      const auto chosen = SelectInGrid(corners, area, 32, quota);
+      EXPECT_EQ(chosen.size(), std::min<std::size_t>(quota, corners.size()));
+      EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
+      EXPECT_EQ(std::adjacent_find(chosen.begin(), chosen.end()), chosen.end());
+    }
+  }
+}
+
+TEST(SelectInGridTest, NoCellGoesShortWhileAnotherIsFavoured) {
+  const cv::Rect area(0, 0, 320, 160);  // 10 x 5 cells of exactly 32 px
+  const auto corners = RandomCorners(area, 1500, 3);
+  const auto chosen = SelectInGrid(corners, area, 32, 400);
+  const auto cell_of = [&](int i) { return corners[i].y / 32 * 10 + corners[i].x / 32; };
+  std::vector<int> available(50, 0), taken(50, 0);
+  for (int i = 0; i < static_cast<int>(corners.size()); ++i) ++available[cell_of(i)];
+  for (const int i : chosen) ++taken[cell_of(i)];
+  const int most = *std::max_element(taken.begin(), taken.end());
+  for (int cell = 0; cell < 50; ++cell) {
+    EXPECT_GE(taken[cell], std::min(available[cell], most - 1)) << "cell " << cell;
+  }
+}
+
+}  // namespace
+}  // namespace corvo::orb

@@ -1,0 +1,106 @@
+#include "orb/orientation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <opencv2/core.hpp>
+
+#include "tests/orb/images.h"
+
+namespace corvo::orb {
+namespace {
+
+/// Difference of two directions, in [0, 180].
+double AngleBetween(double a_deg, double b_deg) {
+  return std::abs(std::remainder(a_deg - b_deg, 360.0));
+}
+
+double TrueDirectionDeg(double x, double y) { return std::atan2(y, x) * 180 / std::numbers::pi; }
+
+TEST(DirectionDegTest, AxesAndDiagonalsAreExact) {
+  EXPECT_EQ(DirectionDeg(7, 0), 0.0F);
+  EXPECT_EQ(DirectionDeg(7, 7), 45.0F);
+  EXPECT_EQ(DirectionDeg(0, 7), 90.0F);
+  EXPECT_EQ(DirectionDeg(-7, 7), 135.0F);
+  EXPECT_EQ(DirectionDeg(-7, 0), 180.0F);
+  EXPECT_EQ(DirectionDeg(-7, -7), 225.0F);
+  EXPECT_EQ(DirectionDeg(0, -7), 270.0F);
+  EXPECT_EQ(DirectionDeg(7, -7), 315.0F);
+  EXPECT_EQ(DirectionDeg(0, 0), 0.0F);
+}
+
+TEST(DirectionDegTest, IsTheArctangent) {
+  for (int i = 0; i < 7200; ++i) {
+    const double radians = i * std::numbers::pi / 3600;
+    const double x = std::cos(radians) * 12345, y = std::sin(radians) * 12345;
+    const float degrees = DirectionDeg(x, y);
+    EXPECT_GE(degrees, 0.0F);
+    EXPECT_LT(degrees, 360.0F);
+    EXPECT_LT(AngleBetween(degrees, TrueDirectionDeg(x, y)), 3e-5) << i;
+  }
+}
+
+TEST(DirectionDegTest, NeverReaches360) {
+  EXPECT_EQ(DirectionDeg(1e9, -1), 0.0F);
+  EXPECT_LT(DirectionDeg(1e4, -1), 360.0F);
+}
+
+TEST(MomentsAtTest, AreSumsOverTheDisc) {
+  const cv::Mat image = test::NoiseImage({40, 40}, 1);
+  Moments expected;
+  for (int dy = -15; dy <= 15; ++dy) {
+    for (int dx = -15; dx <= 15; ++dx) {
+      if (dx * dx + dy * dy > 225) continue;
+      expected.x += dx * image.at<std::uint8_t>(18 + dy, 20 + dx);
+      expected.y += dy * image.at<std::uint8_t>(18 + dy, 20 + dx);
+    }
+  }
+  EXPECT_EQ(MomentsAt(image, 20, 18), expected);
+}
+
+TEST(MomentsAtTest, OnlyTheDiscCounts) {
+  cv::Mat image(31, 31, CV_8UC1, cv::Scalar(0));
+  image.at<std::uint8_t>(15, 30) = 10;  // at distance 15
+  image.at<std::uint8_t>(3, 24) = 10;   // (9, -12), at distance 15
+  image.at<std::uint8_t>(2, 24) = 200;  // (9, -13), beyond
+  image.at<std::uint8_t>(0, 0) = 200;
+  EXPECT_EQ(MomentsAt(image, 15, 15), (Moments{150 + 90, -120}));
+}
+
+TEST(OrientationDegTest, IsIndependentOfAnOffset) {
+  cv::Mat image = test::NoiseImage({31, 31}, 2) / 2;
+  EXPECT_EQ(MomentsAt(image, 15, 15), MomentsAt(image + cv::Scalar(100), 15, 15));
+}
+
+TEST(OrientationDegTest, PointsAlongTheGradientOfARamp) {
+  for (const double direction_deg : {0.0, 30.0, 100.0, 200.0, 333.0}) {
+    const double radians = direction_deg * std::numbers::pi / 180;
+    cv::Mat ramp(31, 31, CV_8UC1);
+    for (int y = 0; y < 31; ++y) {
+      for (int x = 0; x < 31; ++x) {
+        const double along = (x - 15) * std::cos(radians) + (y - 15) * std::sin(radians);
+        ramp.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(128 + 5 * along);
+      }
+    }
+    EXPECT_LT(AngleBetween(OrientationDeg(ramp, 15, 15), direction_deg), 0.2);
+  }
+}
+
+TEST(OrientationDegTest, TurnsWithTheImage) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const cv::Mat image = test::NoiseImage({31, 31}, seed);
+    cv::Mat turned;
+    cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);  // x towards y: by +90 degrees
+    EXPECT_LT(AngleBetween(OrientationDeg(turned, 15, 15), OrientationDeg(image, 15, 15) + 90.0),
+              1e-4);
+  }
+}
+
+TEST(OrientationDegTest, BlankHasDirectionZero) {
+  EXPECT_EQ(OrientationDeg(cv::Mat(31, 31, CV_8UC1, cv::Scalar(200)), 15, 15), 0.0F);
+}
+
+}  // namespace
+}  // namespace corvo::orb
