@@ -1,0 +1,206 @@
+#include "vo/config.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "tests/support/data.h"
+#include "tests/support/matchers.h"
+
+namespace corvo {
+namespace {
+
+using test::ThrowsError;
+
+constexpr const char* kCamera =
+    "model: pinhole-radtan\nwidth: 640\nheight: 480\nfx: 500\nfy: 510.5\ncx: 320\ncy: 240\n";
+
+class OptionsFileTest : public ::testing::Test {
+ protected:
+  OdometryOptions Read(const std::string& text) const {
+    return ReadOptions(dir_.Write("a.yaml", text));
+  }
+
+  test::TemporaryDir dir_;
+};
+
+TEST_F(OptionsFileTest, KeysLeftOutKeepTheirDefaults) {
+  const OdometryOptions options = Read(
+      "extractor:\n  num_features: 1234\n  scale_factor: 1.5\n  grid: false\n  ranking: harris\n");
+  EXPECT_EQ(options.extractor.num_features, 1234);
+  EXPECT_EQ(options.extractor.scale_factor, 1.5);
+  EXPECT_EQ(options.extractor.grid, false);
+  EXPECT_EQ(options.extractor.ranking, orb::Ranking::kHarris);
+  EXPECT_EQ(options.extractor.num_levels, OdometryOptions().extractor.num_levels);
+}
+
+TEST_F(OptionsFileTest, EmptyFilesAndSectionsAreTheDefaults) {
+  const std::string defaults = WriteOptions({});
+  EXPECT_EQ(WriteOptions(Read("")), defaults);
+  EXPECT_EQ(WriteOptions(Read("# nothing\n")), defaults);
+  EXPECT_EQ(WriteOptions(Read("extractor:\ninitializer:\n")), defaults);
+}
+
+TEST_F(OptionsFileTest, WholeNumbersAreNumbers) {
+  EXPECT_EQ(Read("extractor: {scale_factor: 2}").extractor.scale_factor, 2);
+}
+
+TEST_F(OptionsFileTest, WrittenOptionsReadBackTheSame) {
+  OdometryOptions options;
+  options.extractor.num_features = 777;
+  options.extractor.scale_factor = 1.2345678901234567;
+  options.extractor.ranking = orb::Ranking::kHarris;
+  options.extractor.upright = true;
+  options.initializer.min_matches = 21;
+  const std::string text = WriteOptions(options);
+  const OdometryOptions back = Read(text);
+  EXPECT_EQ(back.extractor.scale_factor, options.extractor.scale_factor);
+  EXPECT_EQ(back.initializer.min_matches, 21);
+  EXPECT_EQ(WriteOptions(back), text);
+  EXPECT_NE(text, WriteOptions({}));
+}
+
+TEST_F(OptionsFileTest, UnknownKeysAreNamedWithTheNearestKnown) {
+  EXPECT_THAT([&] { Read("extractor:\n  num_levels: 8\n  num_feature: 5\n"); },
+              ThrowsError("a.yaml:3: ", "unknown key extractor.num_feature;",
+                          "nearest known key is extractor.num_features"));
+  EXPECT_THAT([&] { Read("\nextracter:\n  num_levels: 8\n"); },
+              ThrowsError("a.yaml:2: ", "unknown key extracter", "is extractor"));
+}
+
+TEST_F(OptionsFileTest, KeysGivenTwiceAreErrors) {
+  EXPECT_THAT([&] { Read("extractor:\n  num_levels: 8\n  num_levels: 8\n"); },
+              ThrowsError("a.yaml:3: ", "extractor.num_levels is given twice"));
+  EXPECT_THAT([&] { Read("extractor:\n  num_levels: 8\nextractor:\n  grid: true\n"); },
+              ThrowsError("a.yaml:3: ", "extractor is given twice"));
+}
+
+TEST_F(OptionsFileTest, WrongTypesAreErrors) {
+  const auto expect_error = [&](const std::string& field, const std::string& allowed) {
+    EXPECT_THAT([&] { Read("extractor:\n  " + field + "\n"); },
+                ThrowsError("a.yaml:2: extractor.", allowed))
+        << field;
+  };
+  expect_error("num_levels: eight", "num_levels is \"eight\"; allowed is a whole number");
+  expect_error("num_levels: 8.5", "a whole number");
+  expect_error("num_levels: \"8\"", "a whole number");
+  expect_error("num_levels: [8]", "is a list or mapping; allowed is a whole number");
+  expect_error("num_levels:", "is empty; allowed is a whole number");
+  expect_error("num_levels: 99999999999999", "a whole number");
+  expect_error("scale_factor: 1.2x", "a number");
+  expect_error("scale_factor: true", "a number");
+  expect_error("grid: 1", "true or false");
+  expect_error("grid: yes", "true or false");
+  expect_error("ranking: shi", "fast (score) or harris (response)");
+}
+
+TEST_F(OptionsFileTest, ValuesOutOfRangeAreErrors) {
+  EXPECT_THAT([&] { Read("extractor:\n  num_levels: 0\n"); },
+              ThrowsError("a.yaml:2: extractor.num_levels is 0; allowed is 1 to 32"));
+  EXPECT_THAT([&] { Read("extractor:\n  scale_factor: nan\n"); },
+              ThrowsError("a.yaml:2: extractor.scale_factor is nan"));
+  EXPECT_THAT([&] { Read("extractor: {fast_threshold: 10, min_fast_threshold: 11}"); },
+              ThrowsError("a.yaml: extractor.min_fast_threshold is 11"));
+}
+
+TEST_F(OptionsFileTest, FilesThatAreNoMappingAreErrors) {
+  EXPECT_THAT([&] { Read("- a\n- b\n"); }, ThrowsError("a.yaml", "key: value"));
+  EXPECT_THAT([&] { Read("extractor: 5\n"); }, ThrowsError("a.yaml:1: extractor", "key: value"));
+  EXPECT_THAT([&] { Read("extractor:\n  [unclosed\n"); }, ThrowsError("a.yaml:"));
+  EXPECT_THAT([&] { Read("{[1, 2]: 3}\n"); }, ThrowsError("a.yaml:1: "));
+  EXPECT_THAT([&] { Read("extractor:\n---\nextractor:\n"); },
+              ThrowsError("more than one document"));
+  EXPECT_THAT([&] { ReadOptions(dir_.path() / "none.yaml"); }, ThrowsError("none.yaml"));
+  EXPECT_THAT([&] { ReadOptions(dir_.path()); }, ThrowsError(dir_.path().string()));
+}
+
+TEST(DefaultConfigTest, IsWhatTheDefaultsWrite) {
+  EXPECT_EQ(test::ReadFile(test::SourceDir() / "configs" / "default.yaml"), WriteOptions({}))
+      << "regenerate configs/default.yaml: corvo config > configs/default.yaml";
+}
+
+TEST(DefaultConfigTest, ReadsBackAsTheDefaults) {
+  const auto options = ReadOptions(test::SourceDir() / "configs" / "default.yaml");
+  EXPECT_EQ(WriteOptions(options), WriteOptions({}));
+}
+
+class CameraFileTest : public ::testing::Test {
+ protected:
+  CameraFile Read(const std::string& text) const {
+    return ReadCameraFile(dir_.Write("cam.yaml", text));
+  }
+
+  test::TemporaryDir dir_;
+};
+
+TEST_F(CameraFileTest, DistortionFrameRateAndSourceMayBeLeftOut) {
+  const CameraFile file = Read(kCamera);
+  EXPECT_EQ(file.camera.width(), 640);
+  EXPECT_EQ(file.camera.fy(), 510.5);
+  EXPECT_EQ(file.camera.parameters().k1, 0);
+  EXPECT_EQ(file.frame_rate_hz, std::nullopt);
+  EXPECT_EQ(file.source, "");
+}
+
+TEST_F(CameraFileTest, ReadsEveryKey) {
+  const CameraFile file = Read(std::string(kCamera) +
+                               "k1: 0.1\nk2: -0.2\np1: 1e-3\np2: 0.004\nk3: 5\n"
+                               "frame_rate_hz: 29.97\nsource: \"a paper: table 1\"\n");
+  const CameraParameters& p = file.camera.parameters();
+  EXPECT_THAT((std::vector<double>{p.k1, p.k2, p.p1, p.p2, p.k3}),
+              ::testing::ElementsAre(0.1, -0.2, 1e-3, 0.004, 5));
+  EXPECT_EQ(file.frame_rate_hz, 29.97);
+  EXPECT_EQ(file.source, "a paper: table 1");
+}
+
+TEST_F(CameraFileTest, WrittenCamerasReadBackTheSame) {
+  CameraFile file = Read(std::string(kCamera) + "k1: 0.1234567890123\nframe_rate_hz: 10\n");
+  for (const std::string source :
+       {"", "plain", "a: b # c", "two\nlines", "\"quoted\" 'twice'", "12"}) {
+    file.source = source;
+    const CameraFile back = Read(WriteCameraFile(file));
+    EXPECT_EQ(back.camera, file.camera);
+    EXPECT_EQ(back.frame_rate_hz, file.frame_rate_hz);
+    EXPECT_EQ(back.source, source);
+  }
+}
+
+TEST_F(CameraFileTest, EveryNeededKeyIsMissedByName) {
+  for (const std::string key : {"model", "width", "height", "fx", "fy", "cx", "cy"}) {
+    std::string text = kCamera;
+    const std::size_t begin = text.find(key + ":");
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+    EXPECT_THAT([&] { Read(text); }, ThrowsError("cam.yaml: " + key + " is missing"));
+  }
+  EXPECT_THAT([&] { Read(""); }, ThrowsError("is missing"));
+}
+
+TEST_F(CameraFileTest, WrongValuesAreErrors) {
+  const auto expect_error = [&](const std::string& line, const std::string& message) {
+    EXPECT_THAT([&] { Read(kCamera + line + "\n"); }, ThrowsError("cam.yaml:8: " + message));
+  };
+  expect_error("k4: 0", "unknown key k4; the nearest known key is k");
+  expect_error("fx: 500", "fx is given twice");
+  expect_error("k1: much", "k1 is \"much\"; allowed is a number");
+  expect_error("k1: 1e9", "k1 is 1e+09; allowed is -1000 to 1000");
+  expect_error("frame_rate_hz: 0", "frame_rate_hz is 0; allowed is 0.001 to 100000");
+  expect_error("frame_rate_hz: -30", "frame_rate_hz is -30");
+  expect_error("source: [a]", "source must be text");
+  EXPECT_THAT([&] { Read("model: fisheye\nwidth: 640\n"); },
+              ThrowsError("cam.yaml:1: model is \"fisheye\"; allowed is pinhole-radtan"));
+}
+
+TEST(ShippedCamerasTest, Read) {
+  const CameraFile tum = ReadCameraFile(test::SourceDir() / "configs" / "tum_fr1.yaml");
+  EXPECT_EQ(tum.camera.fx(), 517.306408);
+  EXPECT_EQ(tum.camera.parameters().k3, 1.163314);
+  EXPECT_EQ(tum.frame_rate_hz, 30);
+  EXPECT_FALSE(tum.source.empty());
+  const CameraFile seven_scenes = ReadCameraFile(test::SourceDir() / "configs" / "7scenes.yaml");
+  EXPECT_EQ(seven_scenes.camera.fx(), 585);
+  EXPECT_EQ(seven_scenes.camera.width(), 640);
+  EXPECT_FALSE(seven_scenes.source.empty());
+}
+
+}  // namespace
+}  // namespace corvo

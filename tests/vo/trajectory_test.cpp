@@ -1,0 +1,47 @@
+#include "vo/trajectory.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <string>
+
+namespace corvo {
+namespace {
+
+FrameResult MakeFrame(TimeNs time_ns, bool posed) {
+  FrameResult frame;
+  frame.time_ns = time_ns;
+  if (posed) frame.world_from_camera = SE3(SO3(), Eigen::Vector3d(1e-9 * time_ns, 0, 0));
+  return frame;
+}
+
+TEST(TrajectoryTest, PosedFramesLeavesOutTheOthers) {
+  const Trajectory trajectory{
+      {MakeFrame(10, false), MakeFrame(20, true), MakeFrame(30, false), MakeFrame(40, true)}};
+  const PoseSequence poses = trajectory.PosedFrames();
+  ASSERT_EQ(poses.size(), 2);
+  EXPECT_EQ(poses[0].time_ns, 20);
+  EXPECT_EQ(poses[1].time_ns, 40);
+  EXPECT_EQ(poses[1].world_from_camera, *trajectory.frames[3].world_from_camera);
+  EXPECT_EQ(trajectory.PosedShare(), 0.5);
+}
+
+TEST(TrajectoryTest, EmptyHasNothingPosed) {
+  EXPECT_TRUE(Trajectory().PosedFrames().empty());
+  EXPECT_EQ(Trajectory().PosedShare(), 0);
+}
+
+TEST(FrameResultTest, StatesAndReasonsHaveNamesOfTheirOwn) {
+  EXPECT_EQ(ToString(State::kTracking), "tracking");
+  EXPECT_EQ(ToString(Reason::kLowParallax), "low_parallax");
+  std::set<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(Reason::kTooFewInliers); ++i) {
+    EXPECT_TRUE(names.insert(ToString(static_cast<Reason>(i))).second);
+    EXPECT_THAT(std::string(ToString(static_cast<Reason>(i))),
+                ::testing::MatchesRegex("[a-z]+(_[a-z]+)*"));
+  }
+  EXPECT_EQ(names.count("unknown"), 0);
+}
+
+}  // namespace
+}  // namespace corvo
