@@ -2,14 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace corvo {
+#include "vo/decimal_time.h"
 
-std::string FormatSeconds(TimeNs time_ns) {
-  constexpr TimeNs kSecond = 1'000'000'000;
-  const char* sign = time_ns < 0 ? "-" : "";
-  const TimeNs seconds = std::abs(time_ns / kSecond);
-  return fmt::format("{}{}.{:09}", sign, seconds, std::abs(time_ns % kSecond));
-}
+namespace corvo {
 
 std::string FrameTable(const Trajectory& trajectory) {
   std::string table =
@@ -25,11 +20,11 @@ std::string FrameTable(const Trajectory& trajectory) {
 }
 
 std::string TimingTable(const std::vector<FrameTiming>& timings) {
-  std::string table = "index,read_ms,extract_ms,track_ms,map_ms,adjust_ms,total_ms\n";
+  std::string table = "index,read_ms,extract_ms,locate_ms,map_ms,adjust_ms,total_ms\n";
   for (std::size_t i = 0; i < timings.size(); ++i) {
     const FrameTiming& timing = timings[i];
     table += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", i, timing.read_ms,
-                         timing.stages.extract_ms, timing.stages.track_ms, timing.stages.map_ms,
+                         timing.stages.extract_ms, timing.stages.locate_ms, timing.stages.map_ms,
                          timing.stages.adjust_ms, timing.total_ms);
   }
   return table;

@@ -22,7 +22,4 @@ std::string FrameTable(const Trajectory& trajectory);
 /// CSV, a header and one row an input frame.
 std::string TimingTable(const std::vector<FrameTiming>& timings);
 
-/// "12.034567890": exact.
-std::string FormatSeconds(TimeNs time_ns);
-
 }  // namespace corvo

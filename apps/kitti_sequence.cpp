@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "vo/decimal_time.h"
 #include "apps/image_layouts.h"
-#include "vo/text_lines.h"
 #include "orb/error.h"
+#include "vo/decimal_time.h"
+#include "vo/text_lines.h"
 
 namespace corvo {
 namespace {

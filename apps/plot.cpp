@@ -120,6 +120,13 @@ std::string PlotScript(const TrajectoryPlot& plot) {
          HeightPanel(curves, axes) + "unset multiplot\n";
 }
 
+PoseSequence MovePoses(const Sim3& target_from_world, PoseSequence poses) {
+  for (TimedPose& pose : poses) {
+    pose.world_from_camera = TransformPose(target_from_world, pose.world_from_camera);
+  }
+  return poses;
+}
+
 bool DrawTrajectory(const TrajectoryPlot& plot, const std::filesystem::path& png) {
   return RunGnuplot(PlotScript(plot), png);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "vo/lie/sim3.h"
 #include "vo/trajectory.h"
 
 namespace corvo {
@@ -17,6 +18,9 @@ struct TrajectoryPlot {
 /// The gnuplot script that writes the picture, as PNG, to standard output: the path in the plane of
 /// the two axes that extend furthest (of the truth, if given), and the third axis over time.
 std::string PlotScript(const TrajectoryPlot& plot);
+
+/// The poses, moved into another world.
+PoseSequence MovePoses(const Sim3& target_from_world, PoseSequence poses);
 
 /// Draws with gnuplot. False, with no file left, where gnuplot is missing or fails.
 bool DrawTrajectory(const TrajectoryPlot& plot, const std::filesystem::path& png);

@@ -1,0 +1,31 @@
+#include "apps/config.h"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "vo/config.h"
+
+namespace corvo {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  corvo config > config.yaml   # the defaults, each with its range and meaning
+  corvo config config.yaml     # check a file, and print the options it stands for)";
+
+void PrintConfig(const std::filesystem::path& file) {
+  fmt::print("{}", WriteOptions(file.empty() ? OdometryOptions{} : ReadOptions(file)));
+}
+
+}  // namespace
+
+void AddConfigCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("config", "Print the default options, or check a file");
+  const auto file = std::make_shared<std::filesystem::path>();
+  command->add_option("FILE", *file, "options to check; what it leaves out keeps its default");
+  command->footer(kFooter);
+  command->callback([file] { PrintConfig(*file); });
+}
+
+}  // namespace corvo

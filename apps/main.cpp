@@ -1,0 +1,70 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
+#include <opencv2/core/utils/logger.hpp>
+
+#include "apps/config.h"
+#include "apps/eval.h"
+#include "apps/run.h"
+#include "apps/synth.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kBadInput = 1;
+
+constexpr const char* kFooter = R"(Examples:
+  corvo synth room -o room                                # a sequence with exact ground truth
+  corvo run room --camera room/camera.yaml -o result      # its trajectory and map
+  corvo eval result/trajectory.tum room/groundtruth.txt   # how accurate that is
+  corvo config > config.yaml                              # every option, its default and meaning
+
+'corvo COMMAND --help' shows the options of a command, with examples.)";
+
+/// Everything but results goes to standard error, a line a message: "corvo: error: ...".
+void SetUpLogging() {
+  spdlog::set_default_logger(spdlog::stderr_logger_st("corvo"));
+  spdlog::set_pattern("corvo: %l: %v");
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+}
+
+/// The first line of a message, for messages of libraries that have several.
+std::string FirstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
+
+/// Prints help where that was asked for.
+int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  spdlog::error("{} (see --help)", FirstLine(error.what()));
+  return kBadInput;
+}
+
+int Main(int argc, char** argv) {
+  SetUpLogging();
+  int exit_code = 0;
+  CLI::App app("Monocular visual odometry: images in, camera trajectory and sparse map out.",
+               "corvo");
+  app.set_version_flag("--version", CORVO_VERSION);
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  AddRunCommand(app, exit_code);
+  AddEvalCommand(app);
+  AddSynthCommand(app);
+  AddConfigCommand(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return ReportUsage(app, error);
+  } catch (const std::exception& error) {
+    spdlog::error("{}", FirstLine(error.what()));
+    return kBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace corvo
+
+int main(int argc, char** argv) { return corvo::Main(argc, argv); }

@@ -1,0 +1,43 @@
+#include "apps/pose_file.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "orb/error.h"
+#include "vo/text_lines.h"
+#include "vo/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+constexpr TimeNs kSecond = 1'000'000'000;
+constexpr std::size_t kTumColumns = 8;
+constexpr std::size_t kKittiColumns = 12;
+
+}  // namespace
+
+PoseFile::PoseFile(const std::vector<SE3>& numbered) {
+  for (std::size_t i = 0; i < numbered.size(); ++i) {
+    poses_.push_back({static_cast<TimeNs>(i) * kSecond, numbered[i]});
+  }
+}
+
+PoseSequence PoseFile::WithTimes(const std::vector<TimeNs>& times) const {
+  if (has_times_) return poses_;
+  PoseSequence poses(poses_.begin(), poses_.begin() + std::min(poses_.size(), times.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].time_ns = times[i];
+  return poses;
+}
+
+PoseFile ReadPoseFile(const std::filesystem::path& file) {
+  const std::vector<TextLine> lines = ReadTextLines(file);
+  if (lines.empty()) throw Error(fmt::format("{}: holds no poses", file.string()));
+  const std::size_t columns = SplitFields(lines.front().text, ' ').size();
+  if (columns == kTumColumns) return PoseFile(ReadTum(file));
+  if (columns == kKittiColumns) return PoseFile(ReadKittiPoses(file));
+  throw Error(fmt::format("{}{} columns; TUM format has {}, KITTI format {}",
+                          LinePrefix(file, lines.front()), columns, kTumColumns, kKittiColumns));
+}
+
+}  // namespace corvo

@@ -1,0 +1,84 @@
+#include "apps/run.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "apps/outcome.h"
+#include "apps/output_folder.h"
+#include "apps/run_inputs.h"
+#include "apps/run_record.h"
+#include "apps/run_results.h"
+#include "apps/stopwatch.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kFramesBetweenProgressLines = 100;
+
+constexpr const char* kFooter = R"(Examples:
+  corvo run sequences/03 -o result                    # KITTI odometry, its own calibration
+  corvo run sequences/03 --gt poses/03.txt -o result  # ... and how far off it is
+  corvo run MH_01_easy/mav0 -o result                 # EuRoC
+  corvo run images/ --camera camera.yaml --fps 30 -o result
+
+Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way.)";
+
+void ReportProgress(const FrameResult& frame, std::size_t num_frames) {
+  if ((frame.index + 1) % kFramesBetweenProgressLines != 0) return;
+  spdlog::info("frame {} of {}: {}", frame.index + 1, num_frames, ToString(frame.state));
+}
+
+RunRecord ProcessImages(RunInputs& inputs, int threads) {
+  RunRecord record{Odometry(inputs.camera, inputs.options, threads), {}, {}, 0};
+  const std::vector<TimedFile>& files = inputs.source.list().images;
+  Stopwatch watch;
+  while (const std::optional<TimedImage> next = inputs.source.Next()) {
+    FrameTiming timing;
+    timing.read_ms = watch.LapMs();
+    CheckSize(next->image, inputs.camera, files[record.timings.size()].file);
+    const FrameResult frame = record.odometry.Process(next->image, next->time_ns);
+    timing.total_ms = watch.LapMs();
+    timing.stages = record.odometry.last_times();
+    record.timings.push_back(timing);
+    ReportProgress(frame, files.size());
+  }
+  record.trajectory = record.odometry.GetTrajectory();
+  record.elapsed_s = watch.ElapsedMs() / 1e3;
+  return record;
+}
+
+Outcome Run(const RunArguments& arguments) {
+  RunInputs inputs = ReadInputs(arguments);
+  OutputFolder output(arguments.output);
+  const RunRecord record = ProcessImages(inputs, arguments.threads);
+  const RunSummary summary = Summarize(inputs, record.trajectory, record.odometry.map());
+  WriteResults(arguments, inputs, record, summary, output);
+  fmt::print("{}", SummaryText(arguments, summary));
+  return summary.outcome;
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("run", "Run visual odometry on an image sequence");
+  const auto arguments = std::make_shared<RunArguments>();
+  command
+      ->add_option("INPUT", arguments->input,
+                   "folder of images, KITTI sequence, EuRoC mav0 or TUM RGB-D sequence")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "folder for the results")->required();
+  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->add_option("--camera", arguments->camera, "camera file; instead of the dataset's own");
+  command->add_option("--gt", arguments->truth, "ground truth, TUM or KITTI format");
+  command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--threads", arguments->threads, "threads; never changes the result")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->footer(kFooter);
+  command->callback([arguments, &exit_code] { exit_code = static_cast<int>(Run(*arguments)); });
+}
+
+}  // namespace corvo

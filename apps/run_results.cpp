@@ -1,0 +1,74 @@
+#include "apps/run_results.h"
+
+#include <spdlog/spdlog.h>
+
+#include "apps/environment.h"
+#include "apps/map_ply.h"
+#include "apps/plot.h"
+#include "vo/config.h"
+#include "vo/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+PoseSequence PosedKeyframes(const Trajectory& trajectory) {
+  Trajectory keyframes;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.is_keyframe) keyframes.frames.push_back(frame);
+  }
+  return keyframes.PosedFrames();
+}
+
+std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
+  std::vector<PoseSequence> segments;
+  int segment = kNoId;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) continue;
+    if (frame.segment != segment) segments.emplace_back();
+    segment = frame.segment;
+    segments.back().push_back({frame.time_ns, *frame.world_from_camera});
+  }
+  return segments;
+}
+
+/// The estimate, aligned to the truth where there is one.
+TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
+                        const RunSummary& summary) {
+  TrajectoryPlot plot{PosesBySegment(trajectory), {}};
+  if (!summary.evaluation) return plot;
+  for (PoseSequence& segment : plot.segments) {
+    segment = MovePoses(summary.evaluation->truth_from_estimate, std::move(segment));
+  }
+  plot.truth = inputs.truth;
+  return plot;
+}
+
+void WriteTables(const RunRecord& record, const OutputFolder& output) {
+  WriteTum(output.Stage("trajectory.tum"), record.trajectory.PosedFrames());
+  WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(record.trajectory));
+  output.Write("map.ply", MapPly(record.odometry.map()));
+  output.Write("frames.csv", FrameTable(record.trajectory));
+  output.Write("timing.csv", TimingTable(record.timings));
+}
+
+void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
+  output.Write(name, json.dump(2) + "\n");
+}
+
+}  // namespace
+
+void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
+                  const RunSummary& summary, OutputFolder& output) {
+  WriteTables(record, output);
+  output.Write("config.yaml", WriteOptions(inputs.options));
+  WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
+  WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
+  const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);
+  if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) {
+    spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
+  }
+  output.Commit({"trajectory.tum", "keyframes.tum", "map.ply", "frames.csv", "timing.csv",
+                 "config.yaml", "summary.json", "environment.json", "trajectory.png"});
+}
+
+}  // namespace corvo

@@ -1,0 +1,120 @@
+#include "apps/run_summary.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "apps/evaluation_report.h"
+#include "apps/reasons.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double Share(int part, int whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / whole; }
+
+int CountLandmarks(const Map& map) {
+  int count = 0;
+  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
+    if (map.FindLandmark(id) != nullptr) ++count;
+  }
+  return count;
+}
+
+Json CameraJson(const CameraParameters& camera) {
+  Json json;
+  CameraParameters::Visit(
+      camera, [&json](const char* name, const auto& value, auto&&...) { json[name] = value; });
+  return json;
+}
+
+template <typename Key>
+Json CountsJson(const std::map<Key, int>& counts) {
+  Json json = Json::object();
+  for (const auto& [key, count] : counts) json[std::string(ToString(key))] = count;
+  return json;
+}
+
+Reason MostFrequent(const std::map<Reason, int>& reasons) {
+  return std::max_element(reasons.begin(), reasons.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+std::string ReasonsText(const RunSummary& summary) {
+  if (summary.reasons.empty()) return "";
+  std::string text = "frames without a pose:\n";
+  for (const auto& [reason, count] : summary.reasons) {
+    text += fmt::format("  {:<18} {:>6}\n", ToString(reason), count);
+  }
+  if (summary.outcome == Outcome::kDone) return text;
+  return text + fmt::format("advice: {}\n", Advice(MostFrequent(summary.reasons)));
+}
+
+/// None where too little is posed to be compared.
+std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth) {
+  try {
+    return Evaluate(estimate, truth);
+  } catch (const Error& error) {
+    spdlog::warn("no evaluation: {}", error.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+RunSummary Summarize(const RunInputs& inputs, const Trajectory& trajectory, const Map& map) {
+  RunSummary summary;
+  summary.outcome = JudgeOutcome(trajectory);
+  summary.num_frames = static_cast<int>(trajectory.frames.size());
+  summary.num_posed = CountPosedFrames(trajectory);
+  summary.num_segments = CountPosedSegments(trajectory);
+  summary.num_keyframes = map.num_keyframes();
+  summary.num_landmarks = CountLandmarks(map);
+  for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
+  summary.reasons = CountReasons(trajectory);
+  if (!inputs.truth.empty()) {
+    summary.evaluation = TryEvaluate(trajectory.PosedFrames(), inputs.truth);
+  }
+  return summary;
+}
+
+Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSummary& summary) {
+  Json json;
+  json["outcome"] = ToString(summary.outcome);
+  json["exit_code"] = static_cast<int>(summary.outcome);
+  json["input"] = arguments.input.string();
+  json["layout"] = inputs.source.list().layout;
+  json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
+  json["camera"] = CameraJson(inputs.camera.parameters());
+  json["frames"] = summary.num_frames;
+  json["posed"] = summary.num_posed;
+  json["posed_share"] = Share(summary.num_posed, summary.num_frames);
+  json["segments"] = summary.num_segments;
+  json["keyframes"] = summary.num_keyframes;
+  json["landmarks"] = summary.num_landmarks;
+  json["states"] = CountsJson(summary.states);
+  json["reasons"] = CountsJson(summary.reasons);
+  if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
+  return json;
+}
+
+std::string SummaryText(const RunArguments& arguments, const RunSummary& summary) {
+  std::string text = fmt::format(
+      "{}: {} frames, {} posed ({:.1f}%), {} segment{}, {} keyframes, {} landmarks\n",
+      ToString(summary.outcome), summary.num_frames, summary.num_posed,
+      100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
+      summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
+  text += ReasonsText(summary);
+  if (summary.evaluation) text += ToText(*summary.evaluation);
+  for (const char* name : {"trajectory.tum", "frames.csv", "summary.json", "trajectory.png"}) {
+    const std::filesystem::path file = arguments.output / name;
+    if (std::filesystem::exists(file)) text += file.string() + "\n";
+  }
+  return text;
+}
+
+}  // namespace corvo

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/outcome.h"
+#include "apps/run_inputs.h"
+#include "apps/run_record.h"
+#include "vo/evaluation.h"
+
+namespace corvo {
+
+/// The figures of a run. Nothing here depends on the machine or on time.
+struct RunSummary {
+  Outcome outcome = Outcome::kDone;
+  int num_frames = 0;
+  int num_posed = 0;
+  int num_segments = 0;
+  int num_keyframes = 0;
+  int num_landmarks = 0;
+  std::map<State, int> states;
+  std::map<Reason, int> reasons;         ///< Of the frames that are not posed.
+  std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
+};
+
+RunSummary Summarize(const RunInputs& inputs, const Trajectory& trajectory, const Map& map);
+
+/// summary.json
+nlohmann::ordered_json ToJson(const RunArguments& arguments, const RunInputs& inputs,
+                              const RunSummary& summary);
+
+/// What `corvo run` prints at the end.
+std::string SummaryText(const RunArguments& arguments, const RunSummary& summary);
+
+}  // namespace corvo

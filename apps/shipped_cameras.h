@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace corvo {
+
+/// The camera files that come with corvo for pictures of this size, in order of name. Empty where
+/// the folder of configurations is not found.
+std::vector<std::filesystem::path> FindShippedCameras(int width, int height);
+
+}  // namespace corvo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace corvo::test {
+
+/// How a process ended and what it printed.
+struct CommandResult {
+  int exit_code = -1;  ///< -1 where it did not exit by itself.
+  std::string out;
+  std::string err;
+};
+
+/// Runs the built `corvo` with these arguments, no shell between.
+CommandResult RunCorvo(const std::vector<std::string>& arguments);
+
+/// As RunCorvo, with a PATH in which no other program is found.
+CommandResult RunCorvoAlone(const std::vector<std::string>& arguments);
+
+}  // namespace corvo::test

@@ -1,0 +1,64 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "tests/cli/command.h"
+
+namespace corvo::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+class Help : public testing::TestWithParam<const char*> {};
+
+TEST_P(Help, HasRunnableExamples) {
+  const CommandResult result = RunCorvo({GetParam(), "--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("Usage"), HasSubstr("\n  corvo " + std::string(GetParam()) + " ")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, Help, testing::Values("run", "eval", "synth", "config"),
+                         [](const auto& param_info) { return std::string(param_info.param); });
+
+TEST(CommandLine, HelpListsTheCommands) {
+  const CommandResult result = RunCorvo({"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("run"), HasSubstr("eval"), HasSubstr("synth"),
+                                HasSubstr("config"), HasSubstr("Examples:")));
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  const CommandResult result = RunCorvo({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+class WrongUsage : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(WrongUsage, IsOneLineAndExitCode1) {
+  const CommandResult result = RunCorvo(GetParam());
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, IsEmpty());
+  EXPECT_THAT(result.err, StartsWith("corvo: error: "));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, WrongUsage,
+    testing::Values(std::vector<std::string>{}, std::vector<std::string>{"fly"},
+                    std::vector<std::string>{"run"}, std::vector<std::string>{"run", "folder"},
+                    std::vector<std::string>{"run", "folder", "-o", "out", "--fps", "-3"},
+                    std::vector<std::string>{"run", "folder", "-o", "out", "--threads", "many"},
+                    std::vector<std::string>{"eval", "one.tum"},
+                    std::vector<std::string>{"eval", "none.tum", "none.tum"},
+                    std::vector<std::string>{"eval", "a", "b", "--align", "sideways"},
+                    std::vector<std::string>{"config", "no/such/file.yaml"}));
+
+}  // namespace
+}  // namespace corvo::test

@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/command.h"
+#include "tests/cli/temp_folder.h"
+
+namespace corvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A pose on a path that no plane holds: i, i % 3, i % 2 in the truth's unit, at i seconds.
+std::string TumLine(int i, double scale, double lateral) {
+  return fmt::format("{}.0 {} {} {} 0 0 0 1\n", i, scale * i, scale * (i % 3) + lateral,
+                     scale * (i % 2));
+}
+
+std::string KittiLine(int i) {
+  return fmt::format("1 0 0 {} 0 1 0 {} 0 0 1 {}\n", i, i % 3, i % 2);
+}
+
+class Eval : public testing::Test {
+ protected:
+  Eval() {
+    for (int i = 0; i < kCount; ++i) {
+      truth_text_ += TumLine(i, 1.0, 0.0);
+      estimate_text_ += TumLine(i, 0.5, 0.0);
+      kitti_text_ += KittiLine(i);
+      times_text_ += fmt::format("{}.0\n", i);
+    }
+    WriteText(truth_, truth_text_);
+    WriteText(estimate_, estimate_text_);
+    WriteText(kitti_, kitti_text_);
+    WriteText(times_, times_text_);
+  }
+
+  /// What `corvo eval --json` says.
+  nlohmann::json Measure(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "eval");
+    arguments.push_back("--json");
+    const CommandResult result = RunCorvo(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out, nullptr, false);
+  }
+
+  void ExpectError(const CommandResult& result, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, AllOf(StartsWith("corvo: error: "), HasSubstr(message)));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+
+  static constexpr int kCount = 12;
+  TempFolder folder_;
+  std::string truth_text_, estimate_text_, kitti_text_, times_text_;
+  const fs::path truth_ = folder_ / "truth.tum";
+  const fs::path estimate_ = folder_ / "estimate.tum";
+  const fs::path kitti_ = folder_ / "kitti.txt";
+  const fs::path times_ = folder_ / "times.txt";
+};
+
+TEST_F(Eval, FindsNoErrorUpToASimilarity) {
+  const nlohmann::json report = Measure({estimate_, truth_});
+  EXPECT_NEAR(report["ate"]["rmse"], 0.0, 1e-9);
+  EXPECT_NEAR(report["truth_from_estimate"]["scale"], 2.0, 1e-9);
+  EXPECT_EQ(report["pairs"], kCount);
+  EXPECT_EQ(report["coverage"], 1.0);
+}
+
+TEST_F(Eval, KnowsTheErrorOfAShiftWithoutAlignment) {
+  std::string shifted;
+  for (int i = 0; i < kCount; ++i) shifted += TumLine(i, 1.0, i % 2 == 0 ? 0.3 : -0.3);
+  WriteText(estimate_, shifted);
+  const nlohmann::json report = Measure({estimate_, truth_, "--align", "none"});
+  EXPECT_NEAR(report["ate"]["rmse"], 0.3, 1e-9);
+  EXPECT_NEAR(report["ate"]["max"], 0.3, 1e-9);
+  EXPECT_NEAR(report["rpe_frames"]["translation"]["rmse"], 0.6, 1e-9);
+  EXPECT_NEAR(report["truth_from_estimate"]["scale"], 1.0, 1e-12);
+}
+
+TEST_F(Eval, LeavesTheScaleAloneWithSe3) {
+  const nlohmann::json report = Measure({estimate_, truth_, "--align", "se3"});
+  EXPECT_NEAR(report["truth_from_estimate"]["scale"], 1.0, 1e-12);
+  EXPECT_GT(report["ate"]["rmse"], 0.5);
+}
+
+TEST_F(Eval, CountsTheTruthThatIsCovered) {
+  WriteText(estimate_, TumLine(0, 0.5, 0) + TumLine(1, 0.5, 0) + TumLine(2, 0.5, 0));
+  EXPECT_NEAR(Measure({estimate_, truth_})["coverage"], 3.0 / kCount, 1e-12);
+}
+
+TEST_F(Eval, ComparesTwoKittiFilesRowByRow) {
+  const nlohmann::json report = Measure({kitti_, kitti_});
+  EXPECT_EQ(report["pairs"], kCount);
+  EXPECT_NEAR(report["ate"]["rmse"], 0.0, 1e-9);
+}
+
+TEST_F(Eval, WantsTimesForOneKittiFile) {
+  ExpectError(RunCorvo({"eval", estimate_, kitti_}), "kitti.txt: KITTI format has no times; give");
+  EXPECT_EQ(Measure({estimate_, kitti_, "--times", times_})["pairs"], kCount);
+  WriteText(times_, "0\n1\n");
+  ExpectError(RunCorvo({"eval", estimate_, kitti_, "--times", times_}), "2 times for 12 poses");
+}
+
+TEST_F(Eval, NamesBadLines) {
+  WriteText(estimate_, truth_text_ + "99 1 2 3\n");
+  ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum:13: ");
+  WriteText(estimate_, "1 2 3\n");
+  ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum:1: 3 columns");
+  WriteText(estimate_, "# nothing\n");
+  ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum: holds no poses");
+}
+
+TEST_F(Eval, RefusesTrajectoriesOfDifferentTimes) {
+  std::string late;
+  for (int i = 0; i < kCount; ++i) late += TumLine(i + 1000, 1.0, 0.0);
+  WriteText(estimate_, late);
+  const CommandResult result = RunCorvo({"eval", estimate_, truth_});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, StartsWith("corvo: error: "));
+}
+
+TEST_F(Eval, PrintsTheMeasures) {
+  const CommandResult result = RunCorvo({"eval", estimate_, truth_});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("ATE"), HasSubstr("RPE"), HasSubstr("100.0% of the")));
+}
+
+TEST_F(Eval, DrawsAPicture) {
+  const fs::path picture = folder_ / "with 'quotes' and spaces.png";
+  EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", picture}).exit_code, 0);
+  EXPECT_THAT(ReadText(picture), StartsWith("\x89PNG"));
+}
+
+}  // namespace
+}  // namespace corvo::test

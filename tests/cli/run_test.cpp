@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/command.h"
+#include "tests/cli/tiny_sequence.h"
+
+namespace corvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+constexpr int kBadInput = 1;
+constexpr int kNeverInitialized = 2;
+
+const char* const kCamera =
+    "width: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
+    "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
+
+const char* const kReproducibleFiles[] = {"trajectory.tum", "keyframes.tum", "map.ply",
+                                          "frames.csv",     "summary.json",  "config.yaml",
+                                          "trajectory.png"};
+
+int CountLines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// A folder of five pictures that show nothing in common, and a camera file for them.
+class Run : public testing::Test {
+ protected:
+  Run() {
+    WriteFolder(images_, 5);
+    WriteText(camera_, kCamera);
+  }
+
+  /// `corvo run <images> --camera <camera> -o <result>` and further arguments.
+  CommandResult RunHere(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"run", images_, "--camera", camera_, "-o", result_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunCorvo(arguments);
+  }
+
+  void ExpectError(const CommandResult& result, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, kBadInput);
+    EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(result.err, AllOf(StartsWith("corvo: error: "), HasSubstr(message)));
+    EXPECT_EQ(CountLines(result.err), 1) << result.err;
+  }
+
+  nlohmann::json Summary() const {
+    return nlohmann::json::parse(ReadText(result_ / "summary.json"));
+  }
+
+  TempFolder folder_;
+  const fs::path images_ = folder_ / "images";
+  const fs::path camera_ = folder_ / "camera.yaml";
+  const fs::path result_ = folder_ / "result";
+};
+
+TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
+  const CommandResult result = RunHere();
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("never initialised"), HasSubstr("5 frames, 0 posed"),
+                                HasSubstr("frames without a pose:"), HasSubstr("advice: ")));
+  EXPECT_EQ(ReadText(result_ / "trajectory.tum").find("\n1"), std::string::npos);
+}
+
+TEST_F(Run, AccountsForEveryFrame) {
+  RunHere({"--fps", "10"});
+  const std::string table = ReadText(result_ / "frames.csv");
+  EXPECT_EQ(CountLines(table), 6);
+  EXPECT_THAT(table, StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
+                                "inliers,parallax\n0,0.000000000,"));
+  EXPECT_THAT(table, HasSubstr("\n4,0.400000000,"));
+  EXPECT_EQ(CountLines(ReadText(result_ / "timing.csv")), 6);
+  const nlohmann::json summary = Summary();
+  EXPECT_EQ(summary["frames"], 5);
+  EXPECT_EQ(summary["posed"], 0);
+  EXPECT_EQ(summary["outcome"], "never initialised");
+  EXPECT_EQ(summary["layout"], "folder");
+  EXPECT_EQ(summary["camera"]["fx"], 80.0);
+}
+
+TEST_F(Run, WritesTheSameBytesWithAnyNumberOfThreads) {
+  RunHere({"--threads", "1"});
+  std::vector<std::string> first;
+  for (const char* name : kReproducibleFiles) first.push_back(ReadText(result_ / name));
+  RunHere({"--threads", "2"});
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(ReadText(result_ / kReproducibleFiles[i]), first[i]) << kReproducibleFiles[i];
+  }
+}
+
+TEST_F(Run, DescribesItsEnvironment) {
+  RunHere({"--threads", "2"});
+  const auto environment = nlohmann::json::parse(ReadText(result_ / "environment.json"));
+  EXPECT_EQ(environment["threads"], 2);
+  EXPECT_GT(environment["peak_memory_mb"], 1.0);
+  for (const char* key : {"corvo", "opencv", "eigen", "ceres", "compiler", "cpu"}) {
+    EXPECT_FALSE(environment[key].get<std::string>().empty()) << key;
+  }
+}
+
+TEST_F(Run, ReadsTheConfigItWrote) {
+  RunHere();
+  const std::string written = ReadText(result_ / "config.yaml");
+  const fs::path config = folder_ / "config.yaml";
+  WriteText(config, written);
+  EXPECT_EQ(RunHere({"--config", config}).exit_code, kNeverInitialized);
+  EXPECT_EQ(ReadText(result_ / "config.yaml"), written);
+}
+
+TEST_F(Run, WorksWithoutGnuplot) {
+  const CommandResult result = RunCorvoAlone({"run", images_, "--camera", camera_, "-o", result_});
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  EXPECT_THAT(result.err, HasSubstr("corvo: warning: no trajectory.png"));
+  EXPECT_TRUE(fs::exists(result_ / "summary.json"));
+  EXPECT_FALSE(fs::exists(result_ / "trajectory.png"));
+}
+
+TEST_F(Run, RecognisesEveryLayout) {
+  WriteKitti(folder_ / "kitti", 2);
+  WriteEuroc(folder_ / "euroc/mav0", 2);
+  WriteTum(folder_ / "tum", 2);
+  const std::vector<std::pair<std::string, std::vector<std::string>>> layouts = {
+      {"kitti", {}}, {"euroc", {}}, {"tum", {"--camera", camera_}}};
+  for (const auto& [layout, more] : layouts) {
+    std::vector<std::string> arguments = {"run", folder_ / layout, "-o", result_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(RunCorvo(arguments).exit_code, kNeverInitialized) << layout;
+    EXPECT_EQ(Summary()["layout"], layout);
+  }
+}
+
+TEST_F(Run, WantsACameraWhereTheDatasetShipsNone) {
+  ExpectError(RunCorvo({"run", images_, "-o", result_}), "ships no calibration; give --camera");
+  for (int i = 0; i < 5; ++i) {
+    WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 640, 480));
+  }
+  ExpectError(RunCorvo({"run", images_, "-o", result_}), "tum_fr1.yaml");
+}
+
+TEST_F(Run, NamesBadInput) {
+  ExpectError(RunCorvo({"run", folder_ / "none", "-o", result_}), "none: no such folder");
+  ExpectError(RunHere({"--gt", folder_ / "none.txt"}), "none.txt");
+  ExpectError(RunHere({"--config", folder_ / "none.yaml"}), "none.yaml");
+  WriteText(folder_ / "bad.yaml", "extractor:\n  num_featurs: 10\n");
+  ExpectError(RunHere({"--config", folder_ / "bad.yaml"}), "num_featurs");
+  WriteText(folder_ / "gt.txt", "0 0 0\n");
+  ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt:1: 3 columns");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Run, NamesAPictureOfTheWrongSize) {
+  WriteImage(images_ / "3.png", TinyImage(3, 80, 60));
+  ExpectError(RunHere(), "3.png: the picture is 80 x 60 px, the camera 96 x 64 px");
+}
+
+TEST_F(Run, RefusesAnOutputThatIsAFile) {
+  WriteText(result_, "precious");
+  ExpectError(RunHere(), "result: the output folder is a file");
+  EXPECT_EQ(ReadText(result_), "precious");
+}
+
+TEST_F(Run, LeavesEarlierResultsUntouchedWhenItFails) {
+  RunHere();
+  std::map<fs::path, std::string> before;
+  for (const auto& entry : fs::directory_iterator(result_)) {
+    before[entry.path()] = ReadText(entry.path());
+  }
+  WriteText(images_ / "4.png", "garbage");
+  ExpectError(RunHere(), "4.png: not a readable picture");
+  std::map<fs::path, std::string> after;
+  for (const auto& entry : fs::directory_iterator(result_)) {
+    after[entry.path()] = ReadText(entry.path());
+  }
+  EXPECT_EQ(before, after);
+}
+
+}  // namespace
+}  // namespace corvo::test
