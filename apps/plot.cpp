@@ -20,22 +20,34 @@ struct Axes {
   int other = 1;
 };
 
-/// Leaves out the axis of least extent; top view (x across, z up) where nothing moves.
-Axes ChooseAxes(const PoseSequence& poses) {
+Eigen::AlignedBox3d BoundingBox(const PoseSequence& poses) {
   Eigen::AlignedBox3d box;
   for (const TimedPose& pose : poses) box.extend(pose.world_from_camera.translation());
-  if (box.isEmpty()) return {};
-  const Eigen::Vector3d extent = box.sizes();
-  if (extent.y() <= extent.x() && extent.y() <= extent.z()) return {0, 2, 1};
-  if (extent.z() <= extent.x()) return {0, 1, 2};
-  return {1, 2, 0};
+  return box;
 }
 
-PoseSequence Concatenate(const std::vector<PoseSequence>& segments) {
-  PoseSequence all;
-  for (const PoseSequence& segment : segments)
-    all.insert(all.end(), segment.begin(), segment.end());
-  return all;
+/// Everything the picture shows.
+Eigen::AlignedBox3d BoundingBox(const TrajectoryPlot& plot) {
+  Eigen::AlignedBox3d box = BoundingBox(plot.truth);
+  for (const PoseSequence& segment : plot.segments) box.extend(BoundingBox(segment));
+  return box.isEmpty() ? Eigen::AlignedBox3d(Eigen::Vector3d::Zero()) : box;
+}
+
+/// The view from above in the camera's axes (x across, z up), unless the path extends clearly
+/// further along y than along x or z, as it does in worlds whose z axis points up.
+Axes ChooseAxes(const Eigen::Vector3d& extent) {
+  if (extent.y() <= 2 * std::min(extent.x(), extent.z())) return {0, 2, 1};
+  return extent.z() <= extent.x() ? Axes{0, 1, 2} : Axes{1, 2, 0};
+}
+
+/// Ranges of the same length for both axes, so that straight paths do not squeeze the picture.
+std::string EqualRanges(const Eigen::AlignedBox3d& box, const Axes& axes) {
+  const Eigen::Vector3d middle = box.center();
+  const Eigen::Vector3d extent = box.sizes();
+  const double half = 0.55 * std::max({extent[axes.across], extent[axes.up], 1e-6});
+  return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n",
+                     middle[axes.across] - half, middle[axes.across] + half, middle[axes.up] - half,
+                     middle[axes.up] + half);
 }
 
 TimeNs StartTime(const TrajectoryPlot& plot) {
@@ -86,8 +98,10 @@ std::string PlotCommand(const std::vector<Curve>& curves, const char* columns) {
   return command;
 }
 
-std::string PathPanel(const std::vector<Curve>& curves, const Axes& axes) {
-  return fmt::format(
+std::string PathPanel(const std::vector<Curve>& curves, const Axes& axes,
+                      const Eigen::AlignedBox3d& box) {
+  return EqualRanges(box, axes) +
+         fmt::format(
              "set size ratio -1\nset key outside top center horizontal\n"
              "set xlabel '{}'\nset ylabel '{}'\n",
              kAxisNames[axes.across], kAxisNames[axes.up]) +
@@ -99,7 +113,7 @@ std::string PathPanel(const std::vector<Curve>& curves, const Axes& axes) {
 }
 
 std::string HeightPanel(const std::vector<Curve>& curves, const Axes& axes) {
-  return fmt::format("set size noratio\nset xlabel 'time [s]'\nset ylabel '{}'\n",
+  return fmt::format("set size noratio\nset autoscale\nset xlabel 'time [s]'\nset ylabel '{}'\n",
                      kAxisNames[axes.other]) +
          PlotCommand(curves, "4:3") + "\n";
 }
@@ -107,7 +121,8 @@ std::string HeightPanel(const std::vector<Curve>& curves, const Axes& axes) {
 }  // namespace
 
 std::string PlotScript(const TrajectoryPlot& plot) {
-  const Axes axes = ChooseAxes(plot.truth.empty() ? Concatenate(plot.segments) : plot.truth);
+  const Eigen::AlignedBox3d box = BoundingBox(plot);
+  const Axes axes = ChooseAxes(box.sizes());
   const TimeNs start_ns = StartTime(plot);
   std::string script = "set terminal pngcairo size 1400,700\nset grid\n";
   if (!plot.truth.empty()) script += DataBlock("truth", plot.truth, axes, start_ns);
@@ -116,7 +131,7 @@ std::string PlotScript(const TrajectoryPlot& plot) {
   }
   const std::vector<Curve> curves = Curves(plot);
   if (curves.empty()) return script + "set yrange [-1:1]\nplot [-1:1] NaN title 'no pose'\n";
-  return script + "set multiplot layout 1,2\n" + PathPanel(curves, axes) +
+  return script + "set multiplot layout 1,2\n" + PathPanel(curves, axes, box) +
          HeightPanel(curves, axes) + "unset multiplot\n";
 }
 

@@ -15,8 +15,8 @@ struct TrajectoryPlot {
   PoseSequence truth;                  ///< Empty if there is none.
 };
 
-/// The gnuplot script that writes the picture, as PNG, to standard output: the path in the plane of
-/// the two axes that extend furthest (of the truth, if given), and the third axis over time.
+/// The gnuplot script that writes the picture, as PNG, to standard output: the path from above
+/// (x and z; other axes in worlds whose y axis is not the vertical), and the third axis over time.
 std::string PlotScript(const TrajectoryPlot& plot);
 
 /// The poses, moved into another world.

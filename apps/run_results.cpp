@@ -31,7 +31,7 @@ std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
   return segments;
 }
 
-/// The estimate, aligned to the truth where there is one.
+/// The estimate, aligned to the truth where there is one; of the truth, the time of the pictures.
 TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
                         const RunSummary& summary) {
   TrajectoryPlot plot{PosesBySegment(trajectory), {}};
@@ -39,7 +39,10 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
   for (PoseSequence& segment : plot.segments) {
     segment = MovePoses(summary.evaluation->truth_from_estimate, std::move(segment));
   }
-  plot.truth = inputs.truth;
+  for (const TimedPose& pose : inputs.truth) {
+    if (pose.time_ns < trajectory.frames.front().time_ns) continue;
+    if (pose.time_ns <= trajectory.frames.back().time_ns) plot.truth.push_back(pose);
+  }
   return plot;
 }
 

@@ -17,10 +17,15 @@ TimedPose PoseAt(double seconds, double x, double y, double z) {
 const PoseSequence kForward = {PoseAt(10, 0, 0, 0), PoseAt(11, 0.5, 0.1, 2), PoseAt(12, 0, 0, 4)};
 const PoseSequence kUpwards = {PoseAt(10, 0, 0, 0), PoseAt(11, 3, 2, 0.5)};
 
-TEST(PlotScript, LooksAlongTheAxisOfLeastExtent) {
+TEST(PlotScript, LooksFromAbove) {
   EXPECT_THAT(PlotScript({{kForward}, {}}), HasSubstr("set xlabel 'x'\nset ylabel 'z'"));
   EXPECT_THAT(PlotScript({{kUpwards}, {}}), HasSubstr("set xlabel 'x'\nset ylabel 'y'"));
-  EXPECT_THAT(PlotScript({{kForward}, kUpwards}), HasSubstr("set xlabel 'x'\nset ylabel 'y'"));
+  EXPECT_THAT(PlotScript({{}, kUpwards}), HasSubstr("set xlabel 'x'\nset ylabel 'y'"));
+}
+
+TEST(PlotScript, GivesBothAxesTheSameLength) {
+  EXPECT_THAT(PlotScript({{kForward}, {}}),
+              HasSubstr("set xrange [-1.95:2.45]\nset yrange [-0.2:4.2]\n"));
 }
 
 TEST(PlotScript, HoldsEveryPositionWithItsTimeSinceTheStart) {

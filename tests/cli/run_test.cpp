@@ -20,7 +20,7 @@ constexpr int kBadInput = 1;
 constexpr int kNeverInitialized = 2;
 
 const char* const kCamera =
-    "width: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
+    "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
 
 const char* const kReproducibleFiles[] = {"trajectory.tum", "keyframes.tum", "map.ply",
