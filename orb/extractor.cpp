@@ -15,6 +15,7 @@
 #include "orb/harris.h"
 #include "orb/orientation.h"
 #include "orb/pyramid.h"
+#include "orb/rounding.h"
 
 namespace corvo::orb {
 namespace {
@@ -70,8 +71,8 @@ cv::Rect InsideBorder(const cv::Mat& image) {
 /// Whether the mask keeps a pixel of a level: it is looked up at the nearest input pixel.
 bool IsKept(const cv::Mat& mask, const PyramidLevel& level, int x, int y) {
   if (mask.empty()) return true;
-  const int column = std::min(static_cast<int>(level.InputX(x) + 0.5), mask.cols - 1);
-  const int row = std::min(static_cast<int>(level.InputY(y) + 0.5), mask.rows - 1);
+  const int column = std::min(RoundHalfUp(level.InputX(x)), mask.cols - 1);
+  const int row = std::min(RoundHalfUp(level.InputY(y)), mask.rows - 1);
   return mask.at<std::uint8_t>(row, column) != 0;
 }
 

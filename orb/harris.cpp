@@ -15,9 +15,9 @@ std::int64_t HarrisResponse(const cv::Mat& image, int x, int y) {
     const std::uint8_t* above = here - stride;
     const std::uint8_t* below = here + stride;
     for (int i = -kRadius; i <= kRadius; ++i) {
-      const int gx = (above[i + 1] - above[i - 1]) + 2 * (here[i + 1] - here[i - 1]) +
-                     (below[i + 1] - below[i - 1]);
-      const int gy =
+      const std::int64_t gx = (above[i + 1] - above[i - 1]) + 2 * (here[i + 1] - here[i - 1]) +
+                              (below[i + 1] - below[i - 1]);
+      const std::int64_t gy =
           (below[i - 1] - above[i - 1]) + 2 * (below[i] - above[i]) + (below[i + 1] - above[i + 1]);
       xx += gx * gx;
       xy += gx * gy;

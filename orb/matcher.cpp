@@ -7,6 +7,7 @@
 
 #include "orb/error.h"
 #include "orb/hamming.h"
+#include "orb/rounding.h"
 
 namespace corvo::orb {
 namespace {
@@ -40,7 +41,7 @@ void CheckIndex(const char* what, int index, std::size_t size) {
 int RotationBin(float query_deg, float train_deg, int bins) {
   const double change = static_cast<double>(train_deg) - query_deg;
   const double turns = (change < 0 ? change + 360.0 : change) / 360.0;
-  return static_cast<int>(turns * bins + 0.5) % bins;
+  return RoundHalfUp(turns * bins) % bins;
 }
 
 /// Which of the bins are among the three fullest and hold a tenth of the fullest.

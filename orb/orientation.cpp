@@ -47,7 +47,7 @@ Moments MomentsAt(const cv::Mat& image, int x, int y) {
       weighted += dx * row[dx];
     }
     moments.x += weighted;
-    moments.y += dy * sum;
+    moments.y += std::int64_t{dy} * sum;
   }
   return moments;
 }

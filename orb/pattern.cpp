@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "orb/rounding.h"
+
 namespace corvo::orb {
 namespace {
 
@@ -53,7 +55,7 @@ bool EndsApart(const BinaryTest& test) {
   return dx * dx + dy * dy >= 2;
 }
 
-int RoundHalfAway(double value) { return static_cast<int>(value < 0 ? value - 0.5 : value + 0.5); }
+int RoundHalfAway(double value) { return value < 0 ? -RoundHalfUp(-value) : RoundHalfUp(value); }
 
 Offset Rotate(const Offset& offset, const Direction& direction) {
   const double x = direction.cosine * offset.x - direction.sine * offset.y;
@@ -119,7 +121,7 @@ RotatedPatterns::RotatedPatterns(const Pattern& pattern, int bins) {
 }
 
 int RotatedPatterns::NearestBin(float angle_deg) const {
-  return static_cast<int>(static_cast<double>(angle_deg) * bins() / 360.0 + 0.5) % bins();
+  return RoundHalfUp(static_cast<double>(angle_deg) * bins() / 360.0) % bins();
 }
 
 }  // namespace corvo::orb

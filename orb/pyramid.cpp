@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "orb/rounding.h"
+
 namespace corvo::orb {
 namespace {
 
@@ -84,7 +86,7 @@ class RowCache {
 };
 
 int LevelLength(int input_length, double scale) {
-  return std::max(1, static_cast<int>(input_length / scale + 0.5));
+  return std::max(1, RoundHalfUp(input_length / scale));
 }
 
 }  // namespace
