@@ -11,7 +11,7 @@ namespace corvo::synthetic {
 namespace {
 
 constexpr int kTile = 16;  ///< Side of the square of pixels that shares a list of surfaces, px.
-constexpr int kSubsamples = 4;  ///< Rays along each side of a pixel at the edge of a surface.
+constexpr int kSubsamples = 16;  ///< Rays through a pixel at the edge of a surface.
 
 using Ray = Eigen::Vector2d;  ///< (x/z, y/z)
 
@@ -114,6 +114,13 @@ struct PixelRays {
   Ray At(double x, double y) const { return origin + x * across + y * along + x * y * twist; }
 };
 
+/// Place in a pixel of its i-th subsample: Hammersley's points (1960), whose x and whose y take
+/// kSubsamples different values each, so that an edge along either moves by sixteenths of a pixel.
+Eigen::Vector2d SubsamplePlace(int i) {
+  const int reversed = (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
+  return Eigen::Vector2d(i + 0.5, reversed + 0.5) / kSubsamples;
+}
+
 /// Grey of a surface about `ray`, filtered over one pixel.
 double Shade(const View& view, const Ray& ray, const PixelRays& pixel) {
   const double z = 1 / Along(view.inverse_depth, ray);
@@ -137,11 +144,11 @@ struct Share {
 /// Mean over a pixel that sees several surfaces, each shaded once at the mean of its rays.
 double ShadeEdge(const std::vector<Candidate>& candidates, const PixelRays& pixel,
                  double background) {
-  std::array<Share, kSubsamples * kSubsamples> shares;
+  std::array<Share, kSubsamples> shares;
   std::size_t num_shares = 0;
-  for (int i = 0; i < kSubsamples * kSubsamples; ++i) {
-    const Ray ray =
-        pixel.At((i % kSubsamples + 0.5) / kSubsamples, (i / kSubsamples + 0.5) / kSubsamples);
+  for (int i = 0; i < kSubsamples; ++i) {
+    const Eigen::Vector2d place = SubsamplePlace(i);
+    const Ray ray = pixel.At(place.x(), place.y());
     const View* view = FirstMet(candidates, ray);
     std::size_t k = 0;
     while (k < num_shares && shares[k].view != view) ++k;
@@ -155,7 +162,7 @@ double ShadeEdge(const std::vector<Candidate>& candidates, const PixelRays& pixe
     sum += share.count *
            (share.view ? Shade(*share.view, share.sum / share.count, pixel) : background);
   }
-  return sum / (kSubsamples * kSubsamples);
+  return sum / kSubsamples;
 }
 
 /// One picture being rendered.

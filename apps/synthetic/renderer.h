@@ -15,7 +15,7 @@ namespace corvo::synthetic {
 /// Casts rays through the camera's own model, so that any distortion it has is in the picture.
 ///
 /// One ray through each corner of the pixels says where surfaces end. A pixel whose corners see the
-/// same surface is shaded once, at its centre; any other from a grid of 4x4 rays. Deterministic for
+/// same surface is shaded once, at its centre; any other from 16 rays. Deterministic for
 /// any number of threads.
 class Renderer {
  public:

@@ -1,0 +1,140 @@
+#include "apps/synthetic/writer.h"
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <opencv2/core.hpp>
+
+#include "apps/image_source.h"
+#include "tests/cli/expect_error.h"
+#include "tests/cli/temp_folder.h"
+#include "tests/support/matchers.h"
+
+namespace corvo::synthetic {
+namespace {
+
+using test::ErrorOf;
+using test::IsMatrixNear;
+using test::IsPoseNear;
+using test::ReadText;
+using test::TempFolder;
+using test::WriteText;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+Sequence ShortWall(int frames = 3) {
+  SequenceOptions options;
+  options.frames = frames;
+  options.width = 128;
+  return MakePlanarWall(options);
+}
+
+void ExpectSamePictures(const ImageList& list, const Sequence& sequence) {
+  ASSERT_EQ(list.images.size(), static_cast<std::size_t>(sequence.size()));
+  for (int i = 0; i < sequence.size(); ++i) {
+    const TimedFile& file = list.images[static_cast<std::size_t>(i)];
+    EXPECT_EQ(file.time_ns, sequence.poses()[static_cast<std::size_t>(i)].time_ns);
+    EXPECT_EQ(cv::norm(ReadGreyImage(file.file), sequence.Render(i), cv::NORM_INF), 0);
+  }
+}
+
+TEST(WriteSequence, TumLayoutIsReadBack) {
+  const TempFolder folder;
+  const Sequence sequence = ShortWall();
+  WriteSequence(sequence, folder / "new", Layout::kTum);
+  const ImageList list = ListImages(folder / "new", 1);
+  EXPECT_EQ(list.layout, "tum");
+  ExpectSamePictures(list, sequence);
+}
+
+TEST(WriteSequence, KittiLayoutIsReadBack) {
+  const TempFolder folder;
+  const Sequence sequence = ShortWall();
+  WriteSequence(sequence, folder.path(), Layout::kKitti);
+  const ImageList list = ListImages(folder / "sequences/00", 1);
+  EXPECT_EQ(list.layout, "kitti");
+  ExpectSamePictures(list, sequence);
+  EXPECT_EQ(list.camera, sequence.camera().parameters());
+}
+
+TEST(WriteSequence, TumTruthIsExact) {
+  const TempFolder folder;
+  const Sequence sequence = ShortWall();
+  WriteSequence(sequence, folder.path(), Layout::kTum);
+  std::istringstream truth(ReadText(folder / "groundtruth.txt"));
+  std::string comment, seconds;
+  std::getline(truth, comment);
+  for (const TimedPose& pose : sequence.poses()) {
+    double t[3], q[4];
+    truth >> seconds >> t[0] >> t[1] >> t[2] >> q[0] >> q[1] >> q[2] >> q[3];
+    const double data[] = {q[0], q[1], q[2], q[3], t[0], t[1], t[2]};
+    EXPECT_THAT(SE3::FromData(data), IsPoseNear(pose.world_from_camera, 1e-5, 1e-12));
+  }
+  EXPECT_EQ(seconds, "0.066666667");
+}
+
+TEST(WriteSequence, KittiTruthIsExact) {
+  const TempFolder folder;
+  const Sequence sequence = ShortWall();
+  WriteSequence(sequence, folder.path(), Layout::kKitti);
+  std::istringstream truth(ReadText(folder / "poses/00.txt"));
+  for (const TimedPose& pose : sequence.poses()) {
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 12; ++i) truth >> matrix(i / 4, i % 4);
+    EXPECT_THAT(matrix, IsMatrixNear(pose.world_from_camera.matrix(), 1e-14));
+  }
+}
+
+TEST(WriteSequence, DescribesTheCamera) {
+  const TempFolder folder;
+  WriteSequence(ShortWall(), folder.path(), Layout::kTum);
+  EXPECT_EQ(ReadText(folder / "camera.yaml"),
+            "model: pinhole-radtan\nwidth: 128\nheight: 96\nfx: 105\nfy: 105\ncx: 63.5\ncy: 47.5\n"
+            "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\nframe_rate_hz: 30\n");
+}
+
+TEST(WriteSequence, ReplacesASequenceOfItsOwn) {
+  const TempFolder folder;
+  WriteSequence(ShortWall(3), folder.path(), Layout::kTum);
+  WriteText(folder / "notes.txt", "mine");
+  WriteSequence(ShortWall(2), folder.path(), Layout::kTum);
+  EXPECT_EQ(ListImages(folder.path(), 1).images.size(), 2u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "rgb/0.066666667.png"));
+  EXPECT_EQ(ReadText(folder / "notes.txt"), "mine");
+}
+
+TEST(WriteSequence, LeavesAForeignFolderAlone) {
+  const TempFolder folder;
+  WriteText(folder / "groundtruth.txt", "mine");
+  EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder.path(), Layout::kTum); }),
+              AllOf(HasSubstr(folder.path().string()), HasSubstr("--force")));
+  EXPECT_EQ(ReadText(folder / "groundtruth.txt"), "mine");
+}
+
+TEST(WriteSequence, OverwritesByForce) {
+  const TempFolder folder;
+  WriteText(folder / "groundtruth.txt", "mine");
+  WriteText(folder / "notes.txt", "mine");
+  WriteSequence(ShortWall(), folder.path(), Layout::kTum, true);
+  EXPECT_NE(ReadText(folder / "groundtruth.txt"), "mine");
+  EXPECT_EQ(ReadText(folder / "notes.txt"), "mine");
+}
+
+TEST(WriteSequence, NeedsAFolder) {
+  const TempFolder folder;
+  WriteText(folder / "file", "");
+  EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder / "file", Layout::kTum); }),
+              HasSubstr("is not a folder"));
+}
+
+TEST(WriteSequence, ReportsProgress) {
+  const TempFolder folder;
+  std::vector<int> done;
+  WriteSequence(ShortWall(), folder.path(), Layout::kTum, false, [&](int n) { done.push_back(n); });
+  EXPECT_THAT(done, ::testing::ElementsAre(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace corvo::synthetic
