@@ -190,6 +190,7 @@ std::vector<PosePair> Associate(const PoseSequence& estimate, const PoseSequence
     if (nearer) entry->second = i;
   }
   std::vector<PosePair> pairs;
+  pairs.reserve(estimate_of_truth.size());
   for (const auto& [truth_index, index] : estimate_of_truth) {
     pairs.push_back({estimate[index].time_ns, estimate[index].world_from_camera,
                      truth[truth_index].world_from_camera});
@@ -201,7 +202,7 @@ Sim3 Align(const std::vector<PosePair>& pairs, Alignment alignment) {
   if (alignment == Alignment::kNone) return Sim3();
   const Positions positions = PositionsOf(pairs);
   CheckAlignable(positions);
-  const Sim3 truth_from_estimate = Umeyama(positions, alignment != Alignment::kSe3);
+  Sim3 truth_from_estimate = Umeyama(positions, alignment != Alignment::kSe3);
   if (alignment != Alignment::kScale) return truth_from_estimate;
   return Sim3(truth_from_estimate.scale(), SO3(), Eigen::Vector3d::Zero());
 }
@@ -231,6 +232,7 @@ ErrorStatistics Summarise(std::vector<double> errors) {
 
 std::vector<double> PositionErrors(const std::vector<PosePair>& aligned_pairs) {
   std::vector<double> errors;
+  errors.reserve(aligned_pairs.size());
   for (const PosePair& pair : aligned_pairs) {
     errors.push_back(
         (pair.estimate_from_camera.translation() - pair.truth_from_camera.translation()).norm());
