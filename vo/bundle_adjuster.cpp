@@ -66,8 +66,8 @@ void CopyLandmarks(const Map& map, const AdjustmentWindow& window, Blocks& block
     const int point = static_cast<int>(blocks.points.size());
     blocks.points.push_back({in_local.x(), in_local.y(), in_local.z()});
     for (const Observation& observation : landmark.observations) {
-      const auto found = std::lower_bound(blocks.keyframes.begin(), blocks.keyframes.end(),
-                                          observation.keyframe);
+      const auto found =
+          std::lower_bound(blocks.keyframes.begin(), blocks.keyframes.end(), observation.keyframe);
       if (found == blocks.keyframes.end() || *found != observation.keyframe) continue;
       const int pose = static_cast<int>(found - blocks.keyframes.begin());
       blocks.terms.push_back({pose, point, observation, id});
@@ -107,8 +107,8 @@ void FixGauge(Blocks& blocks, ceres::Problem& problem) {
   double* second = blocks.poses[1].data();
   if (!problem.HasParameterBlock(second)) return;
   if (ToPose(blocks.poses[1]).translation().norm() == 0) return;
-  problem.SetManifold(second, new ceres::ProductManifold<ceres::EigenQuaternionManifold,
-                                                         ceres::SphereManifold<3>>);
+  problem.SetManifold(
+      second, new ceres::ProductManifold<ceres::EigenQuaternionManifold, ceres::SphereManifold<3>>);
 }
 
 ceres::Solver::Options SolverOptions(int max_iterations) {

@@ -13,7 +13,8 @@ namespace corvo {
 /// Which keyframes a windowed adjustment moves and which it holds.
 struct AdjustmentWindow {
   std::vector<KeyframeId> moving;  ///< Ascending.
-  std::vector<KeyframeId> held;    ///< See landmarks of the moving ones; hold pose and scale. Ascending.
+  std::vector<KeyframeId>
+      held;  ///< See landmarks of the moving ones; hold pose and scale. Ascending.
   std::vector<LandmarkId> landmarks;  ///< Seen by a moving keyframe. Ascending.
 };
 
@@ -24,7 +25,7 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
 
 /// What an adjustment did.
 struct AdjustmentResult {
-  bool usable = false;  ///< False: the solver failed and the map is as it was.
+  bool usable = false;      ///< False: the solver failed and the map is as it was.
   double initial_cost = 0;  ///< Half the sum of robust squared errors, in units of sigma².
   double final_cost = 0;
   int num_observations = 0;

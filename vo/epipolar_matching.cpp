@@ -66,8 +66,7 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
   for (std::size_t i = 0; i < free_first.index.size(); ++i) {
     const int k = free_first.index[i];
     const Eigen::Vector3d line = essential * free_first.rays[i].homogeneous();
-    const orb::Nearest nearest =
-        FindNearestOnLine(first.descriptor(k), line, free_second, second);
+    const orb::Nearest nearest = FindNearestOnLine(first.descriptor(k), line, free_second, second);
     if (nearest.distance > max_distance) continue;
     if (nearest.distance > kMaxRatio * nearest.second_distance) continue;
     matches.push_back({k, nearest.index, nearest.distance});

@@ -16,16 +16,16 @@ enum class State {
 
 /// Why a frame is not posed (or what happened to one that is).
 enum class Reason {
-  kNone,               ///< Posed.
-  kReferenceFrame,     ///< Initialising: this frame is the new reference.
-  kTooFewFeatures,     ///< Too few keypoints: dark, blurred or blank.
-  kTooFewMatches,      ///< Too few keypoints match the reference or the map.
-  kLowParallax,        ///< Initialising: standing still, or not moved enough yet.
-  kRotationOnly,       ///< Initialising: the camera turned but did not move.
-  kPlanar,             ///< Initialising: a homography explains the matches; motion is ambiguous.
-  kAmbiguousMotion,    ///< Initialising: no motion explains the matches clearly best.
-  kBadTriangulation,   ///< Initialising: too few points lie in front, with parallax and low error.
-  kTooFewInliers,      ///< Tracking: too few landmarks agree with a pose.
+  kNone,              ///< Posed.
+  kReferenceFrame,    ///< Initialising: this frame is the new reference.
+  kTooFewFeatures,    ///< Too few keypoints: dark, blurred or blank.
+  kTooFewMatches,     ///< Too few keypoints match the reference or the map.
+  kLowParallax,       ///< Initialising: standing still, or not moved enough yet.
+  kRotationOnly,      ///< Initialising: the camera turned but did not move.
+  kPlanar,            ///< Initialising: a homography explains the matches; motion is ambiguous.
+  kAmbiguousMotion,   ///< Initialising: no motion explains the matches clearly best.
+  kBadTriangulation,  ///< Initialising: too few points lie in front, with parallax and low error.
+  kTooFewInliers,     ///< Tracking: too few landmarks agree with a pose.
 };
 
 std::string_view ToString(State state);

@@ -50,8 +50,8 @@ void NormalizeDepth(InitialMap& map) {
   const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
   const double scale = 1 / *middle;
-  map.first_from_second = SE3(map.first_from_second.rotation(),
-                              scale * map.first_from_second.translation());
+  map.first_from_second =
+      SE3(map.first_from_second.rotation(), scale * map.first_from_second.translation());
   for (InitialPoint& point : map.points) point.in_first *= scale;
 }
 

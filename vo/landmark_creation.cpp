@@ -40,9 +40,8 @@ bool OctavesAgree(const Eigen::Vector3d& in_world, const View& a, const View& b,
   return by_distance < by_octave * tolerance && by_octave < by_distance * tolerance;
 }
 
-std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
-                                                const Camera& camera, const KeypointNoise& noise,
-                                                double min_parallax) {
+std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, const Camera& camera,
+                                                const KeypointNoise& noise, double min_parallax) {
   const auto in_world = Triangulate({a.frame.world_from_camera, a.frame.rays[a.keypoint]},
                                     {b.frame.world_from_camera, b.frame.rays[b.keypoint]});
   if (!in_world || !in_world->allFinite()) return std::nullopt;
@@ -59,8 +58,8 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
 
 }  // namespace
 
-int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
-                    const KeypointNoise& noise, const KeyframeOptions& options) {
+int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
+                    const KeyframeOptions& options) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
   std::vector<Covisible> neighbors = map.FindCovisible(keyframe);
   if (static_cast<int>(neighbors.size()) > options.num_neighbors) {
@@ -75,8 +74,8 @@ int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
       const auto in_world = TriangulateViews({first, match.query}, {second, match.train}, camera,
                                              noise, min_parallax);
       if (!in_world) continue;
-      const LandmarkId id = map.AddLandmark(
-          *in_world, {{keyframe, match.query}, {neighbor.keyframe, match.train}});
+      const LandmarkId id =
+          map.AddLandmark(*in_world, {{keyframe, match.query}, {neighbor.keyframe, match.train}});
       map.UpdateAppearance(id, noise.octave_scales);
       ++num_created;
     }

@@ -11,7 +11,7 @@ namespace corvo {
 /// epipolar lines, triangulates them and adds the points that lie in front of both, with enough
 /// parallax, a small reprojection error in both and octaves that agree with the distances. Returns
 /// the number of new landmarks.
-int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
-                    const KeypointNoise& noise, const KeyframeOptions& options);
+int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
+                    const KeyframeOptions& options);
 
 }  // namespace corvo

@@ -34,8 +34,8 @@ Candidates MatchIntoKeyframe(const Map& map, const std::vector<LandmarkId>& land
   for (const LandmarkId id : landmarks) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr || Sees(*landmark, keyframe.id)) continue;
-    const auto view = ProjectLandmark(*landmark, keyframe.frame.world_from_camera, camera,
-                                      noise.octave_scales);
+    const auto view =
+        ProjectLandmark(*landmark, keyframe.frame.world_from_camera, camera, noise.octave_scales);
     if (!view) continue;
     candidates.landmarks.push_back(id);
     descriptors.push_back(landmark->descriptor);
@@ -106,8 +106,8 @@ int FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const Key
                           options.max_distance);
     for (const LandmarkId id : LandmarksOf(map, neighbor.keyframe)) around.insert(id);
   }
-  num_fused += FuseInto(map, {around.begin(), around.end()}, keyframe, camera, noise,
-                        options.max_distance);
+  num_fused +=
+      FuseInto(map, {around.begin(), around.end()}, keyframe, camera, noise, options.max_distance);
   return num_fused;
 }
 

@@ -128,9 +128,8 @@ void Map::MergeLandmark(LandmarkId from, LandmarkId into) {
 
 void Map::AddObservation(LandmarkId id, const Observation& observation) {
   std::vector<Observation>& observations = landmarks_[id]->observations;
-  const auto later = std::find_if(observations.begin(), observations.end(), [&](const auto& o) {
-    return o.keyframe > observation.keyframe;
-  });
+  const auto later = std::find_if(observations.begin(), observations.end(),
+                                  [&](const auto& o) { return o.keyframe > observation.keyframe; });
   observations.insert(later, observation);
   keyframes_[observation.keyframe].frame.landmarks[observation.keypoint] = id;
 }

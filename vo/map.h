@@ -26,8 +26,8 @@ struct Landmark {
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
   std::vector<Observation> observations;  ///< At most one a keyframe, in ascending keyframe.
-  KeyframeId newest_keyframe = kNoId;  ///< The newest keyframe when the landmark was made.
-  orb::Descriptor descriptor;          ///< The medoid of its observations' descriptors.
+  KeyframeId newest_keyframe = kNoId;     ///< The newest keyframe when the landmark was made.
+  orb::Descriptor descriptor;             ///< The medoid of its observations' descriptors.
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
   double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
   int num_visible = 1;      ///< Frames in which it should have been seen.

@@ -119,8 +119,8 @@ TrackingResult Odometry::Track(Frame& frame) {
   if (segment_ == kNoId) return tracking;
   tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera_, noise_,
                         options_.tracker, frame);
-  const bool is_sure = state_ == State::kTracking ||
-                       tracking.num_inliers >= options_.tracker.min_inliers_lost;
+  const bool is_sure =
+      state_ == State::kTracking || tracking.num_inliers >= options_.tracker.min_inliers_lost;
   if (tracking.reason == Reason::kNone && !is_sure) tracking.reason = Reason::kTooFewInliers;
   return tracking;
 }
@@ -129,8 +129,7 @@ bool Odometry::NeedsKeyframe(const Frame& frame) const {
   KeyframeEvidence evidence;
   const std::vector<Covisible> covisible = map_.FindCovisible(frame);
   evidence.num_tracked = CountLandmarks(frame);
-  evidence.num_reference =
-      CountEstablished(map_, covisible.front().keyframe, map_.num_keyframes());
+  evidence.num_reference = CountEstablished(map_, covisible.front().keyframe, map_.num_keyframes());
   return corvo::NeedsKeyframe(evidence, options_.keyframes);
 }
 
@@ -208,8 +207,8 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   first.world_from_camera = PredictPose(previous_, first.time_ns);
   const double scale = ChainScale(initial, second.time_ns - first.time_ns);
   second.world_from_camera =
-      first.world_from_camera * SE3(initial.first_from_second.rotation(),
-                                    scale * initial.first_from_second.translation());
+      first.world_from_camera *
+      SE3(initial.first_from_second.rotation(), scale * initial.first_from_second.translation());
   ++segment_;
   AddInitialMap(initial, scale, first, second);
   const int num_points = static_cast<int>(initial.points.size());
@@ -222,8 +221,7 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   state_ = State::kTracking;
 }
 
-void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& first,
-                             Frame& second) {
+void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& first, Frame& second) {
   const KeyframeId first_id = map_.AddKeyframe(first, segment_);
   const KeyframeId second_id = map_.AddKeyframe(second, segment_);
   for (const InitialPoint& point : initial.points) {
@@ -248,8 +246,8 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
     Frame& frame = frames[i];
     if (records_[frame.index].anchor != kNoId) break;
     const SE3 predicted = PredictPose(frames[located], frame.time_ns);
-    const TrackingResult tracking = TrackFrame(map_, frames[located], predicted, camera_, noise_,
-                                               options_.tracker, frame);
+    const TrackingResult tracking =
+        TrackFrame(map_, frames[located], predicted, camera_, noise_, options_.tracker, frame);
     if (tracking.reason != Reason::kNone) continue;
     SetPosed(frame, tracking.num_matches, tracking.num_inliers);
     located = i;

@@ -95,9 +95,9 @@ class Odometry {
   std::vector<Record> records_;               // One an input frame.
   State state_ = State::kInitializing;
   int segment_ = kNoId;
-  Frame previous_;            // The last posed frame.
-  SE3 motion_;                // earlier_from_later over the last step between posed frames ...
-  TimeNs step_ns_ = 0;        // ... and how long it took; 0 before the first.
+  Frame previous_;      // The last posed frame.
+  SE3 motion_;          // earlier_from_later over the last step between posed frames ...
+  TimeNs step_ns_ = 0;  // ... and how long it took; 0 before the first.
   StageTimes times_;
 };
 

@@ -79,8 +79,7 @@ SE3 Minimize(SE3 pose, const std::vector<PointObservation>& observations,
     const Vector6d step = -damped.ldlt().solve(now.gradient);
     if (!step.allFinite()) break;
     const SE3 candidate = pose * SE3::Exp(step);
-    const NormalEquations next =
-        BuildNormalEquations(candidate, observations, use, camera, robust);
+    const NormalEquations next = BuildNormalEquations(candidate, observations, use, camera, robust);
     if (next.cost < now.cost) {
       const bool converged = now.cost - next.cost < 1e-6 * now.cost;
       pose = candidate;

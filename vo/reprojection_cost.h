@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <ceres/sized_cost_function.h>
+#include <Eigen/Core>
 
 #include "vo/camera.h"
 

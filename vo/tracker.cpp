@@ -62,14 +62,13 @@ int CountLandmarks(const Frame& frame) {
                           std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
-int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted,
-                  const Camera& camera, const KeypointNoise& noise, const TrackerOptions& options,
-                  double radius_px, Frame& frame) {
-  const LandmarkQueries queries = QueriesFromPrevious(map, previous, predicted, camera,
-                                                      noise.octave_scales, radius_px);
-  const std::vector<orb::Nearest> nearest =
-      orb::FindNearestInWindows(queries.descriptors, queries.windows, frame.features.descriptors,
-                                frame.keypoint_index);
+int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted, const Camera& camera,
+                  const KeypointNoise& noise, const TrackerOptions& options, double radius_px,
+                  Frame& frame) {
+  const LandmarkQueries queries =
+      QueriesFromPrevious(map, previous, predicted, camera, noise.octave_scales, radius_px);
+  const std::vector<orb::Nearest> nearest = orb::FindNearestInWindows(
+      queries.descriptors, queries.windows, frame.features.descriptors, frame.keypoint_index);
   const std::vector<orb::Match> unique =
       orb::KeepUnique(orb::KeepNear(nearest, options.max_distance));
   Assign(orb::KeepConsistentRotation(unique, queries.keypoints, frame.features.keypoints),
@@ -78,8 +77,8 @@ int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted,
 }
 
 /// Pose from the frame's landmarks; those that disagree are taken from the frame.
-int RefinePose(const Map& map, const SE3& initial, const Camera& camera,
-               const KeypointNoise& noise, Frame& frame) {
+int RefinePose(const Map& map, const SE3& initial, const Camera& camera, const KeypointNoise& noise,
+               Frame& frame) {
   std::vector<int> keypoints;
   std::vector<PointObservation> observations;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
@@ -134,9 +133,8 @@ std::optional<SE3> LocateAnywhere(const Map& map, const Frame& previous, const C
 }
 
 /// A first pose from the landmarks of the frame before. Returns the inliers.
-int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted,
-                  const Camera& camera, const KeypointNoise& noise, const TrackerOptions& options,
-                  Frame& frame) {
+int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted, const Camera& camera,
+                  const KeypointNoise& noise, const TrackerOptions& options, Frame& frame) {
   for (const double widening : {1.0, 2.0}) {
     const double radius_px = widening * options.search_radius_px;
     if (MatchPrevious(map, previous, predicted, camera, noise, options, radius_px, frame) <
@@ -208,9 +206,8 @@ std::vector<LandmarkId> MatchLocalLandmarks(const Map& map, const Camera& camera
   const LandmarkQueries queries =
       QueriesFromPose(map, CollectLocalLandmarks(map, frame, options.max_local_keyframes), frame,
                       camera, noise.octave_scales);
-  const std::vector<orb::Nearest> nearest =
-      orb::FindNearestInWindows(queries.descriptors, queries.windows, frame.features.descriptors,
-                                frame.keypoint_index);
+  const std::vector<orb::Nearest> nearest = orb::FindNearestInWindows(
+      queries.descriptors, queries.windows, frame.features.descriptors, frame.keypoint_index);
   const std::vector<orb::Match> matches = orb::KeepUnique(orb::KeepNear(
       KeepDistinctWithinOctave(nearest, frame, options.max_ratio), options.max_distance));
   std::vector<LandmarkId> visible = queries.landmarks;

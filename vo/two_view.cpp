@@ -94,8 +94,7 @@ std::optional<Eigen::Matrix3d> FindHomography(const std::vector<RayMatch>& match
   const CvMatches points = ToCv(matches);
   const double threshold = std::sqrt(kChiSquare2Dof95) * MedianSigma(matches);
   cv::Mat mask;
-  return ToModel(
-      cv::findHomography(points.first, points.second, mask, MakeUsacParams(threshold)));
+  return ToModel(cv::findHomography(points.first, points.second, mask, MakeUsacParams(threshold)));
 }
 
 /// Adds one error to a score; both errors of a match must lie within `bound` for an inlier.
@@ -148,12 +147,11 @@ std::vector<TwoViewPoint> TriangulateInFront(const std::vector<RayMatch>& matche
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!is_inlier[i]) continue;
     const RayMatch& match = matches[i];
-    const auto in_first =
-        Triangulate({SE3(), match.first}, {first_from_second, match.second});
+    const auto in_first = Triangulate({SE3(), match.first}, {first_from_second, match.second});
     if (!in_first || !ReprojectsWithin(*in_first, match.first, match.sigma)) continue;
     if (!ReprojectsWithin(second_from_first * *in_first, match.second, match.sigma)) continue;
-    points.push_back({static_cast<int>(i), *in_first,
-                      ParallaxAngle(*in_first, SE3(), first_from_second)});
+    points.push_back(
+        {static_cast<int>(i), *in_first, ParallaxAngle(*in_first, SE3(), first_from_second)});
   }
   return points;
 }

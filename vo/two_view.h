@@ -44,9 +44,9 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& second_from_first_homography,
 
 /// A point seen in both views.
 struct TwoViewPoint {
-  int match = kNoId;             ///< Index of its match.
+  int match = kNoId;  ///< Index of its match.
   Eigen::Vector3d in_first;
-  double parallax = 0;           ///< Radians.
+  double parallax = 0;  ///< Radians.
 };
 
 /// The motion between two views, or why there is none.

@@ -1,0 +1,119 @@
+#include "vo/bundle_adjuster.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// `num_views` views along x, a step of 0.3 apart, of the same box of points.
+struct Path {
+  test::PointScene scene;
+  std::vector<test::SceneView> views;
+};
+
+Path MakePath(int num_views, double sigma_px, test::Random& random) {
+  Path path;
+  path.scene = test::MakeBoxScene(300, 3, 12, random);
+  for (int i = 0; i < num_views; ++i) {
+    const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), Eigen::Vector3d(0.3 * i, 0, 0));
+    path.views.push_back(
+        test::ObserveScene(path.scene, test::PinholeCamera(), pose, sigma_px, random));
+  }
+  return path;
+}
+
+/// Displaces all keyframes but the first `num_kept`, and all landmarks.
+void Disturb(Map& map, int num_kept, test::Random& random) {
+  for (KeyframeId id = num_kept; id < map.num_keyframes(); ++id) {
+    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
+  }
+  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
+    map.SetPosition(id, map.FindLandmark(id)->in_world + random.Vector<3>(0.05));
+  }
+}
+
+AdjustmentResult AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
+  BundleAdjusterOptions options;
+  options.max_keyframes = max_keyframes;
+  options.final_iterations = 50;
+  options.robust_iterations = 50;
+  return AdjustBundle(map, SelectWindow(map, newest, options), test::PinholeCamera(),
+                      test::MakeNoise(), options);
+}
+
+TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
+  test::Random random(1);
+  const Path path = MakePath(6, 0, random);
+  const Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  BundleAdjusterOptions options;
+  options.max_keyframes = 3;
+  const AdjustmentWindow window = SelectWindow(map, 5, options);
+  EXPECT_THAT(window.moving, ElementsAre(3, 4, 5));
+  EXPECT_THAT(window.held, ElementsAre(0, 1, 2));
+  for (const LandmarkId id : window.landmarks) {
+    EXPECT_GE(map.FindLandmark(id)->observations.back().keyframe, 3);
+  }
+}
+
+TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
+  test::Random random(2);
+  const Path path = MakePath(6, 0, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 3, random);
+  const AdjustmentResult result = AdjustAround(map, 5, 3);
+  EXPECT_TRUE(result.usable);
+  EXPECT_LT(result.final_cost, 1e-3 * result.initial_cost);
+  EXPECT_THAT(result.outliers, IsEmpty());
+  for (KeyframeId id = 0; id < 6; ++id) {
+    EXPECT_THAT(map.WorldFromKeyframe(id),
+                test::IsPoseNear(path.views[id].frame.world_from_camera, 1e-3, 1e-4));
+  }
+}
+
+TEST(BundleAdjusterTest, WithoutHeldKeyframesTheFirstPoseAndTheFirstDistanceStay) {
+  test::Random random(3);
+  const Path path = MakePath(4, 0.3, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 1, random);
+  const SE3 first = map.WorldFromKeyframe(0);
+  const double distance = map.WorldFromKeyframe(1).translation().norm();
+  ASSERT_TRUE(AdjustAround(map, 3, 10).usable);
+  EXPECT_THAT(map.WorldFromKeyframe(0), test::IsPoseNear(first, 1e-9, 1e-9));
+  EXPECT_NEAR(map.WorldFromKeyframe(1).translation().norm(), distance, 1e-9);
+}
+
+TEST(BundleAdjusterTest, RemovesGrossErrorsAndNothingElse) {
+  test::Random random(4);
+  Path path = MakePath(5, 0.3, random);
+  const int wrong = 7;
+  path.views[4].frame.features.keypoints[wrong].x += 60;
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  ASSERT_NE(map.keyframe(4).frame.landmarks[wrong], kNoId);
+  const AdjustmentResult result = AdjustAround(map, 4, 3);
+  EXPECT_THAT(result.outliers, ElementsAre(Observation{4, wrong}));
+  EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);
+}
+
+TEST(BundleAdjusterTest, GivesTheSameBitsTwice) {
+  test::Random random(5);
+  const Path path = MakePath(5, 0.5, random);
+  Map a = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(a, 1, random);
+  Map b = a;
+  AdjustAround(a, 4, 4);
+  AdjustAround(b, 4, 4);
+  for (KeyframeId id = 0; id < 5; ++id) {
+    EXPECT_EQ(a.WorldFromKeyframe(id), b.WorldFromKeyframe(id));
+  }
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,52 @@
+#include "vo/frame.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+orb::Keypoint KeypointAt(float x, float y) {
+  orb::Keypoint keypoint;
+  keypoint.x = x;
+  keypoint.y = y;
+  return keypoint;
+}
+
+TEST(FrameTest, KeypointsKeepTheirPixelAndGetARay) {
+  orb::Features features;
+  features.keypoints = {KeypointAt(419.5, 139.5)};
+  features.descriptors.resize(1);
+  const Frame frame = MakeFrame(3, 42, features, test::PinholeCamera());
+  EXPECT_EQ(frame.index, 3);
+  EXPECT_EQ(frame.time_ns, 42);
+  EXPECT_EQ(frame.pixel(0), Eigen::Vector2d(419.5, 139.5));
+  EXPECT_THAT(frame.rays[0], test::IsMatrixNear(Eigen::Vector2d(0.2, -0.2), 1e-12));
+  EXPECT_THAT(frame.landmarks, ::testing::ElementsAre(kNoId));
+}
+
+TEST(FrameTest, KeypointsWithoutARayAreDropped) {
+  CameraParameters parameters = test::PinholeCamera().parameters();
+  parameters.k1 = -0.8;  // Rays turn over inside the picture's corners.
+  orb::Features features;
+  features.keypoints = {KeypointAt(0, 0), KeypointAt(320, 240)};
+  features.descriptors.resize(2);
+  features.descriptors[1].bytes[0] = 7;
+  const Frame frame = MakeFrame(0, 0, features, Camera(parameters));
+  ASSERT_EQ(frame.num_keypoints(), 1);
+  EXPECT_EQ(frame.keypoint(0).x, 320);
+  EXPECT_EQ(frame.descriptor(0).bytes[0], 7);
+  EXPECT_EQ(frame.rays.size(), 1u);
+}
+
+TEST(KeypointNoiseTest, GrowsWithTheOctave) {
+  const KeypointNoise noise{0.5, {1.0, 1.2, 1.44}};
+  orb::Keypoint keypoint;
+  keypoint.octave = 2;
+  EXPECT_DOUBLE_EQ(noise.Sigma(keypoint), 0.72);
+}
+
+}  // namespace
+}  // namespace corvo

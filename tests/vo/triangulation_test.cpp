@@ -1,0 +1,48 @@
+#include "vo/triangulation.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "tests/support/matchers.h"
+#include "tests/support/random.h"
+
+namespace corvo {
+namespace {
+
+PosedRay RayTo(const Eigen::Vector3d& in_world, const SE3& world_from_camera) {
+  return {world_from_camera, (world_from_camera.Inverse() * in_world).hnormalized()};
+}
+
+TEST(TriangulationTest, RecoversExactPoints) {
+  test::Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const SE3 a = random.Pose(0.3, 1), b = random.Pose(0.3, 1);
+    const Eigen::Vector3d point(random.Uniform(-2, 2), random.Uniform(-2, 2), 6);
+    const auto triangulated = Triangulate(RayTo(point, a), RayTo(point, b));
+    ASSERT_TRUE(triangulated);
+    EXPECT_THAT(*triangulated, test::IsMatrixNear(point, 1e-8));
+  }
+}
+
+TEST(TriangulationTest, ParallelRaysHaveNoPoint) {
+  const SE3 moved(SO3(), Eigen::Vector3d(1, 0, 0));
+  EXPECT_FALSE(Triangulate({SE3(), {0.1, 0.2}}, {moved, {0.1, 0.2}}));
+}
+
+TEST(TriangulationTest, DivergingRaysMeetBehind) {
+  const SE3 moved(SO3(), Eigen::Vector3d(1, 0, 0));
+  const auto point = Triangulate({SE3(), {-0.1, 0}}, {moved, {0.1, 0}});
+  ASSERT_TRUE(point);
+  EXPECT_THAT(*point, test::IsMatrixNear(Eigen::Vector3d(0.5, 0, -5), 1e-9));
+}
+
+TEST(TriangulationTest, ParallaxByHand) {
+  const SE3 left(SO3(), Eigen::Vector3d(-1, 0, 0)), right(SO3(), Eigen::Vector3d(1, 0, 0));
+  EXPECT_NEAR(ParallaxAngle({0, 0, 1}, left, right), std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(ParallaxAngle({0, 0, 1e6}, left, right), 2e-6, 1e-12);
+  EXPECT_EQ(ParallaxAngle({0, 0, 1}, left, left), 0);
+}
+
+}  // namespace
+}  // namespace corvo
