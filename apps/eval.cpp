@@ -102,7 +102,7 @@ void AddEvalCommand(CLI::App& app) {
       ->check(CLI::IsMember({"sim3", "se3", "scale", "none"}))
       ->capture_default_str();
   command->add_option("--max-dt", arguments->max_dt_s, "seconds between poses that are compared")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command->add_option("--times", arguments->times, "times of the rows of a KITTI file");
   command->add_flag("--json", arguments->json, "print JSON");

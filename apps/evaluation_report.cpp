@@ -56,7 +56,7 @@ std::string DriftText(const Evaluation& evaluation) {
                         evaluation.kitti->t_rel_percent, evaluation.kitti->r_rel_deg_per_100m);
   }
   if (evaluation.scale_drift) {
-    text += fmt::format("{:<22} {:.4f}\n", "scale, last/first 1/3",
+    text += fmt::format("{:<22} {:.4g}\n", "scale, last/first 1/3",
                         evaluation.scale_drift->last_over_first);
   }
   return text;

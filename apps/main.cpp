@@ -47,7 +47,7 @@ int Main(int argc, char** argv) {
   CLI::App app("Monocular visual odometry: images in, camera trajectory and sparse map out.",
                "corvo");
   app.set_version_flag("--version", CORVO_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer(kFooter);
   AddRunCommand(app, exit_code);
   AddEvalCommand(app);
@@ -61,7 +61,9 @@ int Main(int argc, char** argv) {
     spdlog::error("{}", FirstLine(error.what()));
     return kBadInput;
   }
-  return exit_code;
+  if (!app.get_subcommands().empty()) return exit_code;
+  spdlog::error("no command given (see --help)");
+  return kBadInput;
 }
 
 }  // namespace

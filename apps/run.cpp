@@ -73,7 +73,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   command->add_option("--camera", arguments->camera, "camera file; instead of the dataset's own");
   command->add_option("--gt", arguments->truth, "ground truth, TUM or KITTI format");
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--threads", arguments->threads, "threads; never changes the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -30,7 +30,7 @@ double FrameRate(const RunArguments& arguments, const std::optional<CameraFile>&
       fmt::format("{}: ships no calibration; give --camera FILE", arguments.input.string());
   const std::vector<std::filesystem::path> cameras = FindShippedCameras(size.width, size.height);
   if (!cameras.empty()) {
-    message += fmt::format("; for {} x {} px there is", size.width, size.height);
+    message += fmt::format("; for {} x {} px there are", size.width, size.height);
     for (const std::filesystem::path& file : cameras) {
       message += fmt::format(" {}", file.string());
     }
