@@ -68,7 +68,20 @@ TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
   EXPECT_EQ(result.exit_code, kNeverInitialized);
   EXPECT_THAT(result.out, AllOf(HasSubstr("never initialised"), HasSubstr("5 frames, 0 posed"),
                                 HasSubstr("frames without a pose:"), HasSubstr("advice: ")));
-  EXPECT_EQ(ReadText(result_ / "trajectory.tum").find("\n1"), std::string::npos);
+  EXPECT_THAT(ReadText(result_ / "trajectory.tum"), testing::MatchesRegex("(#.*\n)?"));
+}
+
+TEST_F(Run, WithoutAPoseHasNothingToEvaluate) {
+  WriteText(folder_ / "gt.txt", "0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n");
+  const CommandResult result = RunHere({"--gt", folder_ / "gt.txt"});
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  EXPECT_THAT(result.err, HasSubstr("corvo: warning: no evaluation"));
+  EXPECT_FALSE(Summary().contains("evaluation"));
+}
+
+TEST_F(Run, RefusesTheTruthOfAnotherTime) {
+  WriteText(folder_ / "gt.txt", "1000 0 0 0 0 0 0 1\n");
+  ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: no pose within 0.02 s");
 }
 
 TEST_F(Run, AccountsForEveryFrame) {
