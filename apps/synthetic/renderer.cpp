@@ -24,6 +24,7 @@ double Along(const Eigen::Vector3d& form, const Ray& ray) {
 ///     1/z = inverse_depth . h,  u = (u . h) z,  v = (v . h) z
 struct View {
   Eigen::Vector3d inverse_depth, u, v;
+  double nearest;  ///< Largest 1/z of the quad; infinity if it reaches behind the camera.
   const Quad* quad;
   const Texture* texture;
 
@@ -35,6 +36,13 @@ struct View {
     return inside ? w : 0;
   }
 };
+
+/// Largest 1/z of a rectangle: at one of its corners. A little too large, never too small.
+double LargestInverseDepth(const Eigen::Vector3d& corner, const Eigen::Vector3d& width,
+                           const Eigen::Vector3d& height) {
+  const double least_z = corner.z() + std::min(width.z(), 0.0) + std::min(height.z(), 0.0);
+  return least_z > 0 ? (1 + 1e-9) / least_z : std::numeric_limits<double>::infinity();
+}
 
 /// None if the camera is behind the quad.
 std::optional<View> MakeView(const Scene& scene, const Quad& quad,
@@ -50,6 +58,7 @@ std::optional<View> MakeView(const Scene& scene, const Quad& quad,
   view.inverse_depth = normal / distance;
   view.u = right - right.dot(corner) * view.inverse_depth;
   view.v = down - down.dot(corner) * view.inverse_depth;
+  view.nearest = LargestInverseDepth(corner, quad.width * right, quad.height * down);
   view.quad = &quad;
   view.texture = &scene.textures[static_cast<std::size_t>(quad.texture)];
   return view;
@@ -81,7 +90,7 @@ struct RayBox {
 
 struct Candidate {
   const View* view;
-  double nearest;  ///< Largest 1/z in the tile.
+  double nearest;  ///< At least the largest 1/z in the tile.
 };
 
 /// The surface that the ray meets first, of candidates from near to far; null for none.
@@ -265,7 +274,8 @@ class Picture {
     std::vector<Candidate> candidates;
     for (const auto& element : among) {
       const View& view = ViewOf(element);
-      if (box.MayMeet(view)) candidates.push_back({&view, box.Largest(view.inverse_depth)});
+      if (!box.MayMeet(view)) continue;
+      candidates.push_back({&view, std::min(view.nearest, box.Largest(view.inverse_depth))});
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.nearest > b.nearest; });
