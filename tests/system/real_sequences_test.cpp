@@ -1,0 +1,111 @@
+// The whole odometry on public sequences with ground truth.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "apps/image_source.h"
+#include "tests/support/data.h"
+#include "tests/system/sequence_runner.h"
+#include "vo/config.h"
+#include "vo/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs over a dataset's folder, at most `max_short_frames` frames in a short run.
+Trajectory RunOnFolder(const std::string& folder, const Camera* camera, int max_short_frames) {
+  const ImageList list = ListImages(test::DataPath(folder), 30);
+  int num_frames = static_cast<int>(list.images.size());
+  if (test::IsShortRun()) num_frames = std::min(num_frames, max_short_frames);
+  const auto source = [&](int i) {
+    return test::TimedPicture{ReadGreyImage(list.images[i].file), list.images[i].time_ns};
+  };
+  return test::RunOdometry(source, num_frames, camera ? *camera : Camera(*list.camera));
+}
+
+PoseSequence ReadKittiTruth(const std::string& sequence) {
+  return WithTimes(ReadKittiPoses(test::DataPath("kitti/poses/" + sequence + ".txt")),
+                   ReadKittiTimes(test::DataPath("kitti/sequences/" + sequence + "/times.txt")));
+}
+
+/// body_from_camera of EuRoC's left camera, as published with the dataset (cam0/sensor.yaml).
+SE3 EurocBodyFromCamera() {
+  Eigen::Matrix3d rotation;
+  rotation << 0.0148655429818, -0.999880929698, 0.00414029679422, 0.999557249008, 0.0149672133247,
+      0.025715529948, -0.0257744366974, 0.00375618835797, 0.999660727178;
+  return SE3(SO3(rotation), {-0.0216401454975, -0.064676986768, 0.00981073058949});
+}
+
+PoseSequence ReadEurocTruth(const fs::path& file) {
+  PoseSequence truth = ReadEurocBodyPoses(file);
+  for (TimedPose& pose : truth) {
+    pose.world_from_camera = pose.world_from_camera * EurocBodyFromCamera();
+  }
+  return truth;
+}
+
+void ExpectAccurate(const Trajectory& trajectory, const PoseSequence& truth, double max_ate,
+                    double min_posed_share) {
+  if (test::IsShortRun()) return;
+  EXPECT_GE(trajectory.PosedShare(), min_posed_share);
+  const Evaluation evaluation = test::EvaluatePosed(trajectory, truth);
+  ::testing::Test::RecordProperty("ate", std::to_string(evaluation.absolute.rmse));
+  EXPECT_LE(evaluation.absolute.rmse, max_ate);
+}
+
+TEST(RealSequenceTest, Kitti03CountryRoad) {
+  CORVO_REQUIRE_DATA("kitti/sequences/03");
+  ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 2.0, 0.99);
+}
+
+TEST(RealSequenceTest, Kitti05SharpTurn) {
+  CORVO_REQUIRE_DATA("kitti/sequences/05");
+  ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.30, 0.98);
+}
+
+TEST(RealSequenceTest, Kitti06Straight) {
+  CORVO_REQUIRE_DATA("kitti/sequences/06");
+  ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), ReadKittiTruth("06"), 0.10, 0.98);
+}
+
+TEST(RealSequenceTest, SevenScenesHandHeld) {
+  CORVO_REQUIRE_DATA("7scenes/redkitchen");
+  const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "7scenes.yaml").camera;
+  const Trajectory trajectory = RunOnFolder("7scenes/redkitchen", &camera, 5);
+  const fs::path truth = test::DataPath("7scenes/redkitchen/groundtruth.txt");
+  ExpectAccurate(trajectory, ReadTum(truth), 0.06, 0.90);
+}
+
+TEST(RealSequenceTest, EurocShakenDrone) {
+  CORVO_REQUIRE_DATA("euroc/MH_01_easy");
+  const Trajectory trajectory = RunOnFolder("euroc/MH_01_easy/mav0", nullptr, 12);
+  const fs::path truth =
+      test::DataPath("euroc/MH_01_easy/mav0/state_groundtruth_estimate0/data.csv");
+  ExpectAccurate(trajectory, ReadEurocTruth(truth), 0.03, 0.95);
+}
+
+TEST(RealSequenceTest, EurocStandingStillHasNoPose) {
+  CORVO_REQUIRE_DATA("euroc/V1_01_easy");
+  const Trajectory trajectory = RunOnFolder("euroc/V1_01_easy/mav0", nullptr, 6);
+  EXPECT_EQ(trajectory.PosedShare(), 0);
+  EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
+}
+
+TEST(RealSequenceTest, TurningOnTheSpotIsSaid) {
+  CORVO_REQUIRE_DATA("tum/rgbd_dataset_freiburg1_rpy");
+  const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "tum_fr1.yaml").camera;
+  const Trajectory trajectory = RunOnFolder("tum/rgbd_dataset_freiburg1_rpy", &camera, 6);
+  int num_rotations = 0;
+  for (const FrameResult& frame : trajectory.frames) {
+    EXPECT_EQ(frame.reason == Reason::kNone, frame.world_from_camera.has_value()) << frame.index;
+    num_rotations += frame.reason == Reason::kRotationOnly;
+  }
+  EXPECT_GE(num_rotations, 1);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+
+#include <opencv2/core/mat.hpp>
+
+#include "vo/camera.h"
+#include "vo/evaluation.h"
+#include "vo/trajectory.h"
+
+namespace corvo::test {
+
+/// Picture and time of frame i.
+struct TimedPicture {
+  cv::Mat image;
+  TimeNs time_ns = 0;
+};
+using PictureSource = std::function<TimedPicture(int)>;
+
+/// True where the sanitizers run: sequences are cut short and their accuracy is not judged.
+bool IsShortRun();
+
+/// Runs Odometry with default options over frames 0 to num_frames - 1.
+Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera);
+
+/// Position errors after one Sim3 for the whole sequence.
+Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth);
+
+}  // namespace corvo::test

@@ -1,0 +1,68 @@
+// The whole odometry on rendered sequences whose truth is exact.
+#include <gmock/gmock.h>
+
+#include "apps/synthetic/sequence.h"
+#include "tests/system/sequence_runner.h"
+
+namespace corvo {
+namespace {
+
+using synthetic::Sequence;
+using synthetic::SequenceOptions;
+
+SequenceOptions Film(int frames, int width, double noise_sigma) {
+  SequenceOptions options;
+  options.frames = test::IsShortRun() ? std::min(frames, 12) : frames;
+  options.width = width;
+  options.noise_sigma = noise_sigma;
+  return options;
+}
+
+Trajectory RunOn(const Sequence& sequence) {
+  const auto source = [&](int i) {
+    return test::TimedPicture{sequence.Render(i), sequence.poses()[i].time_ns};
+  };
+  return test::RunOdometry(source, sequence.size(), sequence.camera());
+}
+
+/// ATE in percent of the true path, and the share of frames posed, within bounds.
+void ExpectAccurate(const Sequence& sequence, double max_ate_percent, double min_posed_share) {
+  const Trajectory trajectory = RunOn(sequence);
+  if (test::IsShortRun()) return;
+  EXPECT_GE(trajectory.PosedShare(), min_posed_share);
+  for (const FrameResult& frame : trajectory.frames) EXPECT_LE(frame.segment, 0) << frame.index;
+  const Evaluation evaluation = test::EvaluatePosed(trajectory, sequence.poses());
+  const double ate_percent = 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
+  RecordProperty("ate_percent", std::to_string(ate_percent));
+  EXPECT_LE(ate_percent, max_ate_percent);
+}
+
+TEST(SyntheticSequenceTest, Room) { ExpectAccurate(MakeRoom(Film(150, 640, 3)), 0.4, 0.95); }
+
+TEST(SyntheticSequenceTest, Street) { ExpectAccurate(MakeStreet(Film(100, 930, 3)), 1.0, 0.95); }
+
+TEST(SyntheticSequenceTest, PureRotationInventsNoTranslation) {
+  const Trajectory trajectory = RunOn(MakePureRotation(Film(60, 640, 3)));
+  EXPECT_EQ(trajectory.PosedShare(), 0);
+  if (test::IsShortRun()) return;
+  int num_said = 0;
+  for (const FrameResult& frame : trajectory.frames) {
+    num_said += frame.reason == Reason::kRotationOnly;
+  }
+  EXPECT_GT(num_said, 20);
+}
+
+TEST(SyntheticSequenceTest, PlanarWallIsPlacedRightlyOrNotAtAll) {
+  const Sequence sequence = MakePlanarWall(Film(60, 640, 3));
+  const Trajectory trajectory = RunOn(sequence);
+  if (test::IsShortRun()) return;
+  if (trajectory.PosedShare() > 0) {
+    const Evaluation evaluation = test::EvaluatePosed(trajectory, sequence.poses());
+    EXPECT_LE(evaluation.absolute.rmse, 0.02 * evaluation.truth_path_length);
+    return;
+  }
+  for (const FrameResult& frame : trajectory.frames) EXPECT_NE(frame.reason, Reason::kNone);
+}
+
+}  // namespace
+}  // namespace corvo

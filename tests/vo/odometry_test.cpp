@@ -1,0 +1,166 @@
+#include "vo/odometry.h"
+
+#include <gmock/gmock.h>
+
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+constexpr TimeNs kFrameTime = 100'000'000;
+
+/// Smooth seeded noise with corners: a picture that ORB likes.
+cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
+  test::Random random(seed);
+  cv::Mat texture(height / 8, width / 8, CV_8UC1);
+  for (int y = 0; y < texture.rows; ++y) {
+    for (int x = 0; x < texture.cols; ++x) {
+      texture.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(random.UniformInt(20, 235));
+    }
+  }
+  cv::resize(texture, texture, {width, height}, 0, 0, cv::INTER_NEAREST);
+  return texture;
+}
+
+/// Two parallel textured walls, the nearer over the picture's middle, seen from x.
+class TwoWalls {
+ public:
+  explicit TwoWalls(std::uint64_t seed)
+      : near_(MakeTexture(1600, 240, seed)), far_(MakeTexture(1600, 480, seed + 1)) {}
+
+  cv::Mat Render(double x) const {
+    cv::Mat picture;
+    cv::getRectSubPix(far_, {640, 480}, cv::Point2d(500 + 500 * x / 8, 239.5), picture);
+    cv::Mat near;
+    cv::getRectSubPix(near_, {640, 240}, cv::Point2d(500 + 500 * x / 4, 119.5), near);
+    near.copyTo(picture.rowRange(120, 360));
+    return picture;
+  }
+
+ private:
+  cv::Mat near_, far_;
+};
+
+/// A steady drive of `num_frames` along two walls.
+std::vector<cv::Mat> MakeDrive(int num_frames, std::uint64_t seed) {
+  const TwoWalls walls(seed);
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < num_frames; ++i) pictures.push_back(walls.Render(0.1 * i));
+  return pictures;
+}
+
+Trajectory RunDrive(const std::vector<cv::Mat>& pictures, int threads) {
+  Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
+  TimeNs time_ns = 0;
+  for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
+  return odometry.GetTrajectory();
+}
+
+void ExpectIdentical(const Trajectory& a, const Trajectory& b) {
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t i = 0; i < a.frames.size(); ++i) {
+    EXPECT_EQ(a.frames[i].world_from_camera, b.frames[i].world_from_camera) << i;
+    EXPECT_EQ(a.frames[i].num_inliers, b.frames[i].num_inliers) << i;
+  }
+}
+
+TEST(OdometryTest, FollowsASteadyDrive) {
+  const Trajectory trajectory = RunDrive(MakeDrive(25, 1), 1);
+  ASSERT_EQ(trajectory.frames.size(), 25u);
+  EXPECT_GE(trajectory.PosedShare(), 0.9);
+  const PoseSequence poses = trajectory.PosedFrames();
+  const Eigen::Vector3d whole =
+      poses.back().world_from_camera.translation() - poses.front().world_from_camera.translation();
+  const double step = whole.norm() / static_cast<double>(poses.size() - 1);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Eigen::Vector3d moved =
+        poses[i].world_from_camera.translation() - poses[i - 1].world_from_camera.translation();
+    EXPECT_THAT(moved, test::IsMatrixNear(Eigen::Vector3d(step, 0, 0), 0.1 * step)) << i;
+  }
+}
+
+TEST(OdometryTest, GivesTheSameBitsForAnyNumberOfThreads) {
+  const std::vector<cv::Mat> drive = MakeDrive(15, 2);
+  const Trajectory once = RunDrive(drive, 1);
+  EXPECT_GT(once.PosedShare(), 0.5);
+  ExpectIdentical(once, RunDrive(drive, 1));
+  ExpectIdentical(once, RunDrive(drive, 2));
+}
+
+TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
+  const std::vector<cv::Mat> first = MakeDrive(15, 3), second = MakeDrive(15, 4);
+  Odometry a(test::PinholeCamera()), b(test::PinholeCamera());
+  for (int i = 0; i < 15; ++i) {
+    a.Process(first[i], (i + 1) * kFrameTime);
+    b.Process(second[i], (i + 1) * kFrameTime);
+  }
+  ExpectIdentical(a.GetTrajectory(), RunDrive(first, 1));
+  ExpectIdentical(b.GetTrajectory(), RunDrive(second, 1));
+}
+
+TEST(OdometryTest, StandingStillHasNoPose) {
+  const cv::Mat picture = TwoWalls(5).Render(0);
+  const Trajectory trajectory = RunDrive(std::vector<cv::Mat>(10, picture), 1);
+  EXPECT_EQ(trajectory.PosedShare(), 0);
+  EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
+}
+
+TEST(OdometryTest, ABlankPictureIsSaidAndTrackingGoesOnAfterIt) {
+  std::vector<cv::Mat> drive = MakeDrive(20, 6);
+  drive[12] = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));
+  const Trajectory trajectory = RunDrive(drive, 1);
+  EXPECT_EQ(trajectory.frames[12].state, State::kLost);
+  EXPECT_EQ(trajectory.frames[12].reason, Reason::kTooFewMatches);
+  EXPECT_FALSE(trajectory.frames[12].world_from_camera);
+  for (int i = 13; i < 20; ++i) {
+    EXPECT_EQ(trajectory.frames[i].state, State::kTracking) << i;
+    EXPECT_EQ(trajectory.frames[i].segment, 0) << i;
+  }
+}
+
+TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
+  std::vector<cv::Mat> drive = MakeDrive(15, 7);
+  for (const cv::Mat& picture : MakeDrive(15, 8)) drive.push_back(picture);
+  const Trajectory trajectory = RunDrive(drive, 1);
+  EXPECT_EQ(trajectory.frames[15].state, State::kLost);
+  ASSERT_EQ(trajectory.frames.back().segment, 1);
+  // The same speed before and after: the scale is carried over.
+  const auto step = [&](int i) {
+    return (trajectory.frames[i].world_from_camera->translation() -
+            trajectory.frames[i - 1].world_from_camera->translation())
+        .norm();
+  };
+  EXPECT_NEAR(step(29) / step(13), 1, 0.3);
+  EXPECT_GT(trajectory.frames[29].world_from_camera->translation().x(),
+            trajectory.frames[13].world_from_camera->translation().x());
+}
+
+TEST(OdometryTest, BadInputThrowsAndChangesNothing) {
+  const std::vector<cv::Mat> drive = MakeDrive(3, 9);
+  Odometry odometry(test::PinholeCamera());
+  odometry.Process(drive[0], kFrameTime);
+  const auto process = [&](const cv::Mat& image, TimeNs time_ns) {
+    return [&odometry, image, time_ns] { odometry.Process(image, time_ns); };
+  };
+  EXPECT_THAT(process(drive[1], kFrameTime), test::ThrowsError("frame 1", "100000000 ns"));
+  EXPECT_THAT(process(cv::Mat(), 2 * kFrameTime), test::ThrowsError("image is", "640x480"));
+  EXPECT_THAT(process(cv::Mat(480, 640, CV_8UC3), 2 * kFrameTime), test::ThrowsError("CV_8UC3"));
+  EXPECT_THAT(process(cv::Mat(480, 641, CV_8UC1), 2 * kFrameTime),
+              test::ThrowsError("641x480", "640x480"));
+  EXPECT_EQ(odometry.GetTrajectory().frames.size(), 1u);
+  EXPECT_EQ(odometry.Process(drive[1], 2 * kFrameTime).index, 1);
+}
+
+TEST(OdometryTest, OptionsAreChecked) {
+  OdometryOptions options;
+  options.tracker.min_inliers = 3;
+  EXPECT_THAT([&] { Odometry(test::PinholeCamera(), options); },
+              test::ThrowsError("tracker.min_inliers", "3"));
+}
+
+}  // namespace
+}  // namespace corvo
