@@ -33,7 +33,7 @@ void ExpectAccurate(const Sequence& sequence, double max_ate_percent, double min
   for (const FrameResult& frame : trajectory.frames) EXPECT_LE(frame.segment, 0) << frame.index;
   const Evaluation evaluation = test::EvaluatePosed(trajectory, sequence.poses());
   const double ate_percent = 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
-  RecordProperty("ate_percent", std::to_string(ate_percent));
+  ::testing::Test::RecordProperty("ate_percent", std::to_string(ate_percent));
   EXPECT_LE(ate_percent, max_ate_percent);
 }
 
