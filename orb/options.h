@@ -24,7 +24,7 @@ struct ExtractorOptions {
   int min_fast_threshold = 7;
   Ranking ranking = Ranking::kFast;
   bool grid = true;
-  int cell_size_px = 32;
+  int cell_size_px = 24;
   int orientation_bins = 30;
   bool upright = false;
 

@@ -66,7 +66,7 @@ struct TrackerOptions {
 
 /// When a frame becomes a keyframe, and how keyframes and landmarks are made and culled.
 struct KeyframeOptions {
-  double max_tracked_share = 0.8;
+  double max_tracked_share = 0.75;
   int num_neighbors = 10;
   double min_parallax_deg = 1.15;
   int max_distance = 50;
