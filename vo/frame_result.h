@@ -11,7 +11,7 @@ namespace corvo {
 enum class State {
   kInitializing,  ///< No map in this segment yet.
   kTracking,      ///< The frame was located in the map.
-  kLost,          ///< The frame could not be located; the next one starts a new segment.
+  kLost,          ///< Not located; until a frame is found again or a new segment starts.
 };
 
 /// Why a frame is not posed (or what happened to one that is).
@@ -45,7 +45,7 @@ struct FrameResult {
   int num_features = 0;
   int num_matches = 0;  ///< With the reference frame (initialising) or with landmarks (tracking).
   int num_inliers = 0;  ///< Of num_matches, those that agree with the motion or pose.
-  double parallax_deg = 0;  ///< Median over the matches, rotation removed.
+  double parallax_deg = 0;  ///< While initialising: median over the matches, rotation removed.
 };
 
 }  // namespace corvo
