@@ -7,7 +7,6 @@
 #include "vo/bundle_adjuster.h"
 #include "vo/frame_matching.h"
 #include "vo/map.h"
-#include "vo/two_view.h"
 
 namespace corvo {
 namespace {
@@ -62,43 +61,53 @@ Initializer::Initializer(const InitializerOptions& options, const KeypointNoise&
     : options_(options), noise_(noise), camera_(camera) {}
 
 InitializationResult Initializer::AddFrame(Frame frame) {
+  Keep(std::move(frame));
   InitializationResult result;
-  frames_.push_back(std::move(frame));
-  if (static_cast<int>(frames_.size()) > options_.max_waiting_frames) {
-    frames_.pop_front();
-    reference_ = std::max(0, reference_ - 1);
-  }
-  const Frame& second = frames_.back();
-  if (second.num_keypoints() < options_.min_matches) {
+  const Frame& newest = frames_.back();
+  if (newest.num_keypoints() < options_.min_matches) {
     result.reason = Reason::kTooFewFeatures;
     return result;
   }
-  const Frame& first = frames_[reference_];
-  if (&first == &second || first.num_keypoints() < options_.min_matches) {
+  const Frame& reference = frames_[reference_];
+  if (&reference == &newest || reference.num_keypoints() < options_.min_matches) {
     reference_ = static_cast<int>(frames_.size()) - 1;
     result.reason = Reason::kReferenceFrame;
     return result;
   }
-  const std::vector<orb::Match> matches = MatchFrames(first, second);
+  const std::vector<orb::Match> matches = MatchFrames(reference, newest);
   result.num_matches = static_cast<int>(matches.size());
   if (result.num_matches < options_.min_matches) {
     MoveReference();
     result.reason = Reason::kTooFewMatches;
     return result;
   }
+  MakeMap(matches, result);
+  return result;
+}
+
+void Initializer::Keep(Frame frame) {
+  frames_.push_back(std::move(frame));
+  if (static_cast<int>(frames_.size()) <= options_.max_waiting_frames) return;
+  frames_.pop_front();
+  reference_ = std::max(0, reference_ - 1);
+}
+
+void Initializer::MakeMap(const std::vector<orb::Match>& matches,
+                          InitializationResult& result) const {
+  const Frame& first = frames_[reference_];
+  const Frame& second = frames_.back();
   const TwoViewResult motion = EstimateTwoViewMotion(ToRayMatches(matches), options_);
   result.reason = motion.reason;
   result.num_inliers = motion.num_inliers;
   result.parallax_deg = motion.parallax_deg;
-  if (motion.reason != Reason::kNone) return result;
+  if (motion.reason != Reason::kNone) return;
   InitialMap map = AdjustTwoViews(motion, matches, first, second, camera_, noise_);
   if (static_cast<int>(map.points.size()) < options_.min_points) {
     result.reason = Reason::kBadTriangulation;
-    return result;
+    return;
   }
   NormalizeDepth(map);
   result.map = std::move(map);
-  return result;
 }
 
 std::vector<Frame> Initializer::TakeFrames() {

@@ -6,12 +6,14 @@
 
 #include <Eigen/Core>
 
+#include "orb/matcher.h"
 #include "vo/camera.h"
 #include "vo/frame.h"
 #include "vo/frame_result.h"
 #include "vo/keypoint_noise.h"
 #include "vo/lie/se3.h"
 #include "vo/options.h"
+#include "vo/two_view.h"
 
 namespace corvo {
 
@@ -50,8 +52,11 @@ class Initializer {
   int reference() const { return reference_; }
 
  private:
+  /// Forgets the oldest frame when there are too many.
+  void Keep(Frame frame);
   void MoveReference();
-  std::vector<struct RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
+  void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result) const;
+  std::vector<RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
   KeypointNoise noise_;

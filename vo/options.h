@@ -13,8 +13,6 @@ struct InitializerOptions {
   double min_parallax_sigmas = 2.0;
   double max_homography_share = 0.45;
   int min_points = 50;
-  double min_points_in_front = 0.9;
-  double max_second_motion = 0.7;
   double min_parallax_deg = 1.0;
   int max_waiting_frames = 100;
 
@@ -26,10 +24,6 @@ struct InitializerOptions {
     field("max_homography_share", self.max_homography_share, 0.0, 1.0,
           "a larger share of the homography in the scores of both models: the scene is planar");
     field("min_points", self.min_points, 10, 100000, "triangulated points of the first map");
-    field("min_points_in_front", self.min_points_in_front, 0.0, 1.0,
-          "share of the inliers in front of both views with a small error");
-    field("max_second_motion", self.max_second_motion, 0.0, 1.0,
-          "points of the second best motion, as a share of the best's");
     field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
           "parallax that min_points points must reach");
     field("max_waiting_frames", self.max_waiting_frames, 2, 10000,

@@ -169,6 +169,8 @@ double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) 
 void SelectMotion(const Eigen::Matrix3d& essential, const ModelScore& score,
                   const std::vector<RayMatch>& matches, const InitializerOptions& options,
                   TwoViewResult& result) {
+  constexpr double kMaxSecondMotion = 0.7;  // Of the best one's points.
+  constexpr double kMinShareInFront = 0.9;  // Of the inliers.
   std::size_t second_best = 0;
   for (const SE3& second_from_first : DecomposeEssential(essential)) {
     std::vector<TwoViewPoint> points =
@@ -182,9 +184,9 @@ void SelectMotion(const Eigen::Matrix3d& essential, const ModelScore& score,
     }
   }
   const double num_points = static_cast<double>(result.points.size());
-  const bool is_unique = static_cast<double>(second_best) < options.max_second_motion * num_points;
-  const bool is_enough = num_points >= options.min_points &&
-                         num_points >= options.min_points_in_front * score.num_inliers;
+  const bool is_unique = static_cast<double>(second_best) < kMaxSecondMotion * num_points;
+  const bool is_enough =
+      num_points >= options.min_points && num_points >= kMinShareInFront * score.num_inliers;
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
   if (!is_unique) {
     result.reason = Reason::kAmbiguousMotion;
