@@ -69,4 +69,10 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace corvo
 
-int main(int argc, char** argv) { return corvo::Main(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return corvo::Main(argc, argv);
+  } catch (...) {  // Even the report of an error failed.
+    return 1;
+  }
+}

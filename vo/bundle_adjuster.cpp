@@ -93,7 +93,20 @@ void SetOutliersAside(const Map& map, const Camera& camera, const KeypointNoise&
   }
 }
 
-/// Holds poses: the held keyframes, or else the oldest one and its distance from the second.
+/// The pose farthest from the oldest one, whose distance determines the scale best.
+double* FarthestPose(Blocks& blocks, const ceres::Problem& problem) {
+  double* farthest = nullptr;
+  double max_distance = 0;
+  for (PoseBlock& pose : blocks.poses) {
+    const double distance = ToPose(pose).translation().norm();
+    if (distance <= max_distance || !problem.HasParameterBlock(pose.data())) continue;
+    farthest = pose.data();
+    max_distance = distance;
+  }
+  return farthest;
+}
+
+/// Holds poses: the held keyframes, or else the oldest one and the farthest one's distance from it.
 void FixGauge(Blocks& blocks, ceres::Problem& problem) {
   const int num_held = static_cast<int>(std::count(blocks.held.begin(), blocks.held.end(), 1));
   for (std::size_t i = 0; i < blocks.poses.size(); ++i) {
@@ -103,12 +116,11 @@ void FixGauge(Blocks& blocks, ceres::Problem& problem) {
     if (blocks.held[i] || (num_held < 2 && i == 0)) problem.SetParameterBlockConstant(pose);
   }
   const bool scale_is_free = num_held == 0 || (num_held == 1 && blocks.held[0]);
-  if (!scale_is_free || blocks.poses.size() < 2) return;
-  double* second = blocks.poses[1].data();
-  if (!problem.HasParameterBlock(second)) return;
-  if (ToPose(blocks.poses[1]).translation().norm() == 0) return;
+  double* farthest = scale_is_free ? FarthestPose(blocks, problem) : nullptr;
+  if (farthest == nullptr) return;
   problem.SetManifold(
-      second, new ceres::ProductManifold<ceres::EigenQuaternionManifold, ceres::SphereManifold<3>>);
+      farthest,
+      new ceres::ProductManifold<ceres::EigenQuaternionManifold, ceres::SphereManifold<3>>);
 }
 
 ceres::Solver::Options SolverOptions(int max_iterations) {
@@ -190,7 +202,9 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
   AdjustmentWindow window;
   window.moving.assign(moving.begin(), moving.end());
   window.landmarks.assign(landmarks.begin(), landmarks.end());
-  for (const auto& [id, count] : num_seen) window.held.push_back(id);
+  for (const auto& [id, count] : num_seen) {
+    if (count >= options.min_shared_landmarks) window.held.push_back(id);
+  }
   return window;
 }
 

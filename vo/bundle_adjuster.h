@@ -18,8 +18,9 @@ struct AdjustmentWindow {
   std::vector<LandmarkId> landmarks;  ///< Seen by a moving keyframe. Ascending.
 };
 
-/// The newest keyframe and the keyframes most covisible with it move; others that see their
-/// landmarks are held.
+/// The newest keyframe and the keyframes most covisible with it move; others that see enough of
+/// their landmarks are held. Those that see only a few are left out: a handful of wrong matches
+/// would decide the scale of the whole window.
 AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
                               const BundleAdjusterOptions& options);
 
@@ -35,7 +36,7 @@ struct AdjustmentResult {
 /// Minimises the robust reprojection error over the window's moving keyframes and its landmarks
 /// (Huber, Schur elimination), removes the observations over the 95% quantile, and minimises again
 /// without them. The gauge: held keyframes; if there are fewer than two, the oldest keyframe of the
-/// window stays where it is and the second keeps its distance from it. Writes to the map only a
+/// window stays where it is and the farthest keeps its distance from it. Writes to the map only a
 /// usable solution. Deterministic.
 AdjustmentResult AdjustBundle(Map& map, const AdjustmentWindow& window, const Camera& camera,
                               const KeypointNoise& noise, const BundleAdjusterOptions& options);

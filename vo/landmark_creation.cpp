@@ -1,6 +1,8 @@
 #include "vo/landmark_creation.h"
 
+#include <algorithm>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "vo/chi_square.h"
@@ -19,6 +21,9 @@ struct View {
   double Distance(const Eigen::Vector3d& in_world) const {
     return (in_world - frame.world_from_camera.translation()).norm();
   }
+  double OctaveScale(const KeypointNoise& noise) const {
+    return noise.octave_scales[frame.keypoint(keypoint).octave];
+  }
 };
 
 bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& camera,
@@ -31,12 +36,11 @@ bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& c
 
 /// The nearer view should see the point in the coarser octave.
 bool OctavesAgree(const Eigen::Vector3d& in_world, const View& a, const View& b,
-                  const std::vector<double>& octave_scales) {
+                  const KeypointNoise& noise) {
   constexpr double kTolerance = 1.5;
   const double by_distance = a.Distance(in_world) / b.Distance(in_world);
-  const double by_octave = octave_scales[b.frame.keypoint(b.keypoint).octave] /
-                           octave_scales[a.frame.keypoint(a.keypoint).octave];
-  const double tolerance = kTolerance * octave_scales[octave_scales.size() > 1 ? 1 : 0];
+  const double by_octave = b.OctaveScale(noise) / a.OctaveScale(noise);
+  const double tolerance = kTolerance * noise.octave_scales[noise.octave_scales.size() > 1 ? 1 : 0];
   return by_distance < by_octave * tolerance && by_octave < by_distance * tolerance;
 }
 
@@ -45,15 +49,33 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, co
   const auto in_world = Triangulate({a.frame.world_from_camera, a.frame.rays[a.keypoint]},
                                     {b.frame.world_from_camera, b.frame.rays[b.keypoint]});
   if (!in_world || !in_world->allFinite()) return std::nullopt;
+  const double coarser = std::max(a.OctaveScale(noise), b.OctaveScale(noise));
   if (ParallaxAngle(*in_world, a.frame.world_from_camera, b.frame.world_from_camera) <
-      min_parallax) {
+      min_parallax * coarser) {
     return std::nullopt;
   }
   if (!FitsView(*in_world, a, camera, noise) || !FitsView(*in_world, b, camera, noise)) {
     return std::nullopt;
   }
-  if (!OctavesAgree(*in_world, a, b, noise.octave_scales)) return std::nullopt;
+  if (!OctavesAgree(*in_world, a, b, noise)) return std::nullopt;
   return in_world;
+}
+
+/// The most covisible keyframes, the farthest first: what can be triangulated over a long baseline
+/// is not triangulated over a short one.
+std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int max_neighbors) {
+  std::vector<std::pair<double, KeyframeId>> by_distance;
+  const Eigen::Vector3d& centre = map.keyframe(keyframe).frame.world_from_camera.translation();
+  for (const Covisible& covisible : map.FindCovisible(keyframe)) {
+    if (static_cast<int>(by_distance.size()) == max_neighbors) break;
+    const Frame& other = map.keyframe(covisible.keyframe).frame;
+    by_distance.emplace_back(-(other.world_from_camera.translation() - centre).norm(),
+                             covisible.keyframe);
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<KeyframeId> neighbors;
+  for (const auto& [distance, id] : by_distance) neighbors.push_back(id);
+  return neighbors;
 }
 
 }  // namespace
@@ -61,21 +83,17 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, co
 int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
                     const KeyframeOptions& options) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
-  std::vector<Covisible> neighbors = map.FindCovisible(keyframe);
-  if (static_cast<int>(neighbors.size()) > options.num_neighbors) {
-    neighbors.resize(options.num_neighbors);
-  }
   int num_created = 0;
-  for (const Covisible& neighbor : neighbors) {
+  for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options.num_neighbors)) {
     const Frame& first = map.keyframe(keyframe).frame;
-    const Frame& second = map.keyframe(neighbor.keyframe).frame;
+    const Frame& second = map.keyframe(neighbor).frame;
     for (const orb::Match& match :
          MatchAlongEpipolarLines(first, second, camera.focal(), noise, options.max_distance)) {
       const auto in_world = TriangulateViews({first, match.query}, {second, match.train}, camera,
                                              noise, min_parallax);
       if (!in_world) continue;
       const LandmarkId id =
-          map.AddLandmark(*in_world, {{keyframe, match.query}, {neighbor.keyframe, match.train}});
+          map.AddLandmark(*in_world, {{keyframe, match.query}, {neighbor, match.train}});
       map.UpdateAppearance(id, noise.octave_scales);
       ++num_created;
     }

@@ -73,7 +73,8 @@ struct KeyframeOptions {
           "a keyframe is due when fewer of the nearest keyframe's landmarks are tracked");
     field("num_neighbors", self.num_neighbors, 1, 100,
           "covisible keyframes with which a new one is triangulated and fused");
-    field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0, "of a new landmark");
+    field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
+          "of a new landmark, times the scale of the coarser octave that sees it");
     field("max_distance", self.max_distance, 1, 256,
           "between the descriptors of a new or fused landmark, bits");
     field("min_found_share", self.min_found_share, 0.0, 1.0,
