@@ -61,16 +61,29 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, co
   return in_world;
 }
 
-/// The most covisible keyframes, the farthest first: what can be triangulated over a long baseline
-/// is not triangulated over a short one.
+double MedianDepth(const Map& map, const Frame& frame) {
+  const SE3 camera_from_world = frame.world_from_camera.Inverse();
+  std::vector<double> depths;
+  for (const LandmarkId id : frame.landmarks) {
+    if (id != kNoId) depths.push_back((camera_from_world * map.FindLandmark(id)->in_world).z());
+  }
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+/// The most covisible keyframes that stand far enough away for their depth, the farthest first:
+/// what can be triangulated over a long baseline is not triangulated over a short one.
 std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int max_neighbors) {
+  constexpr double kMinBaselineShare = 0.01;
   std::vector<std::pair<double, KeyframeId>> by_distance;
   const Eigen::Vector3d& centre = map.keyframe(keyframe).frame.world_from_camera.translation();
   for (const Covisible& covisible : map.FindCovisible(keyframe)) {
     if (static_cast<int>(by_distance.size()) == max_neighbors) break;
     const Frame& other = map.keyframe(covisible.keyframe).frame;
-    by_distance.emplace_back(-(other.world_from_camera.translation() - centre).norm(),
-                             covisible.keyframe);
+    const double baseline = (other.world_from_camera.translation() - centre).norm();
+    if (baseline < kMinBaselineShare * MedianDepth(map, other)) continue;
+    by_distance.emplace_back(-baseline, covisible.keyframe);
   }
   std::sort(by_distance.begin(), by_distance.end());
   std::vector<KeyframeId> neighbors;
