@@ -24,6 +24,13 @@ TEST_F(LandmarkCreationTest, NewLandmarksLieWhereThePointsAre) {
   }
 }
 
+TEST_F(LandmarkCreationTest, NothingIsTriangulatedOverATinyBaseline) {
+  step_ = 0.01;
+  options_.min_parallax_deg = 0;
+  MakeViews(3, 100);
+  EXPECT_EQ(CreateLandmarks(map_, 2, camera_, noise_, options_), 0);
+}
+
 TEST_F(LandmarkCreationTest, FarPointsWithoutParallaxAreLeftOut) {
   scene_ = test::MakeBoxScene(400, 200, 300, random_);
   MakeViews(3, 100);

@@ -12,10 +12,10 @@ namespace corvo::test {
 /// A scene of points and a map of views of it, some points known as landmarks.
 class MappingTest : public ::testing::Test {
  protected:
-  /// Views 0.4 apart along x; landmarks are made of the scene's points below `num_known` only.
+  /// Views `step_` apart along x; landmarks are made of the scene's points below `num_known` only.
   void MakeViews(int num_views, int num_known) {
     for (int i = 0; i < num_views; ++i) {
-      const SE3 pose(SO3(), Eigen::Vector3d(0.4 * i, 0, 0));
+      const SE3 pose(SO3(), Eigen::Vector3d(step_ * i, 0, 0));
       views_.push_back(ObserveScene(scene_, camera_, pose, 0.2, random_));
       map_.AddKeyframe(views_.back().frame, 0);
     }
@@ -39,6 +39,7 @@ class MappingTest : public ::testing::Test {
 
   int PointOf(const Observation& o) const { return views_[o.keyframe].points[o.keypoint]; }
 
+  double step_ = 0.4;
   Random random_{1};
   Camera camera_ = PinholeCamera();
   KeypointNoise noise_ = MakeNoise();
