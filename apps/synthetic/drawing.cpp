@@ -45,9 +45,7 @@ class Octave {
   }
 
  private:
-  int At(int x, int y) const {
-    return lattice_[static_cast<std::size_t>((y % count_) * count_ + x % count_)];
-  }
+  int At(int x, int y) const { return lattice_[(y % count_) * count_ + x % count_]; }
 
   int cell_, count_;
   std::vector<int> steps_, lattice_;

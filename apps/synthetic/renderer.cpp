@@ -212,7 +212,7 @@ class Picture {
     }
     for (int y = 0; y < tile.height; ++y) {
       for (int x = 0; x < tile.width; ++x) {
-        const View* const* upper = &seen[static_cast<std::size_t>(y * (tile.width + 1) + x)];
+        const View* const* upper = &seen[y * (tile.width + 1) + x];
         const View* const* lower = upper + tile.width + 1;
         const bool same = upper[0] == upper[1] && upper[0] == lower[0] && upper[0] == lower[1];
         image->at<std::uint8_t>(tile.y + y, tile.x + x) =

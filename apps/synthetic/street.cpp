@@ -85,7 +85,8 @@ class StreetBuilder {
                double margin) const {
     const Eigen::Rotation2Dd turn(yaw);
     for (int i = 0; i < 9; ++i) {
-      const Eigen::Vector2d corner(0.5 * (i % 3 - 1) * size.x(), 0.5 * (i / 3 - 1) * size.y());
+      const int column = i % 3 - 1, row = i / 3 - 1;
+      const Eigen::Vector2d corner(0.5 * column * size.x(), 0.5 * row * size.y());
       const Eigen::Vector2d point = centre + turn * corner;
       if (path_.Clearance(point, along - 60, along + 60) < margin) return false;
     }
