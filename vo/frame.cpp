@@ -1,5 +1,6 @@
 #include "vo/frame.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace corvo {
@@ -21,6 +22,11 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   frame.landmarks.assign(frame.rays.size(), kNoId);
   frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
   return frame;
+}
+
+int CountSeenLandmarks(const Frame& frame) {
+  return static_cast<int>(frame.landmarks.size() -
+                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
 }  // namespace corvo

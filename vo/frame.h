@@ -31,4 +31,7 @@ struct Frame {
 /// Keypoints without a ray through the camera (outside the domain of its distortion) are dropped.
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera);
 
+/// Keypoints that see a landmark.
+int CountSeenLandmarks(const Frame& frame);
+
 }  // namespace corvo

@@ -1,6 +1,5 @@
 #include "vo/odometry.h"
 
-#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -40,11 +39,6 @@ SE3 ScaleMotion(const SE3& motion, double factor) { return SE3::Exp(factor * mot
 const OdometryOptions& Validated(const OdometryOptions& options) {
   options.Validate();
   return options;
-}
-
-int CountLandmarks(const Frame& frame) {
-  return static_cast<int>(frame.landmarks.size() -
-                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
 /// Landmarks of a keyframe that enough keyframes see (two while there are no more).
@@ -128,7 +122,7 @@ TrackingResult Odometry::Track(Frame& frame) {
 bool Odometry::NeedsKeyframe(const Frame& frame) const {
   KeyframeEvidence evidence;
   const std::vector<Covisible> covisible = map_.FindCovisible(frame);
-  evidence.num_tracked = CountLandmarks(frame);
+  evidence.num_tracked = CountSeenLandmarks(frame);
   evidence.num_reference = CountEstablished(map_, covisible.front().keyframe, map_.num_keyframes());
   return corvo::NeedsKeyframe(evidence, options_.keyframes);
 }

@@ -57,11 +57,6 @@ void Assign(const std::vector<orb::Match>& matches, const std::vector<LandmarkId
   }
 }
 
-int CountLandmarks(const Frame& frame) {
-  return static_cast<int>(frame.landmarks.size() -
-                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
-}
-
 int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted, const Camera& camera,
                   const KeypointNoise& noise, const TrackerOptions& options, double radius_px,
                   Frame& frame) {
@@ -73,7 +68,7 @@ int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted, c
       orb::KeepUnique(orb::KeepNear(nearest, options.max_distance));
   Assign(orb::KeepConsistentRotation(unique, queries.keypoints, frame.features.keypoints),
          queries.landmarks, frame);
-  return CountLandmarks(frame);
+  return CountSeenLandmarks(frame);
 }
 
 /// Pose from the frame's landmarks; those that disagree are taken from the frame.
@@ -229,13 +224,13 @@ TrackingResult TrackFrame(const Map& map, const Frame& previous, const SE3& pred
                           const TrackerOptions& options, Frame& frame) {
   TrackingResult result;
   result.num_inliers = TrackPrevious(map, previous, predicted, camera, noise, options, frame);
-  result.num_matches = CountLandmarks(frame);
+  result.num_matches = CountSeenLandmarks(frame);
   if (result.num_inliers < options.min_matches / 2) {
     result.reason = Reason::kTooFewMatches;
     return result;
   }
   result.visible = MatchLocalLandmarks(map, camera, noise, options, frame);
-  result.num_matches = CountLandmarks(frame);
+  result.num_matches = CountSeenLandmarks(frame);
   result.num_inliers = RefinePose(map, frame.world_from_camera, camera, noise, frame);
   if (result.num_inliers < options.min_inliers) result.reason = Reason::kTooFewInliers;
   return result;
