@@ -48,6 +48,8 @@ class Initializer {
 
   /// The frames collected, in order; the newest is the last. Forgets them.
   std::vector<Frame> TakeFrames();
+  /// The newest frame collected; null if there is none.
+  const Frame* newest() const { return frames_.empty() ? nullptr : &frames_.back(); }
   /// Index of the reference frame within the frames collected.
   int reference() const { return reference_; }
 

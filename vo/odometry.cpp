@@ -57,6 +57,7 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
     : camera_(camera),
       options_(Validated(options)),
+      threads_(threads),
       extractor_(options.extractor, threads),
       noise_{options.bundle_adjuster.keypoint_sigma_px, extractor_.octave_scales()},
       initializer_(options.initializer, noise_, camera) {}
@@ -77,6 +78,13 @@ Trajectory Odometry::GetTrajectory() const {
     trajectory.frames.push_back(ResultOf(record));
   }
   return trajectory;
+}
+
+void Odometry::Reset() { *this = Odometry(camera_, options_, threads_); }
+
+const Frame& Odometry::last_frame() const {
+  const Frame* waiting = initializer_.newest();
+  return waiting != nullptr ? *waiting : previous_;
 }
 
 void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {

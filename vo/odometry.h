@@ -42,7 +42,20 @@ class Odometry {
   /// poses, and frames seen before initialisation get poses afterwards.
   Trajectory GetTrajectory() const;
 
+  /// Ends the sequence: joins work done beside the frames and returns the trajectory, which then
+  /// stays as it is until the next call to Process.
+  Trajectory Finish() { return GetTrajectory(); }
+
+  /// As newly made, with the same camera and options.
+  void Reset();
+
+  /// Keyframes and landmarks, of all segments.
   const Map& map() const { return map_; }
+
+  /// The frame processed last, with its tracks: keypoint k sees landmark `landmarks[k]` or, if that
+  /// is kNoId, none. Before the first frame, it is empty.
+  const Frame& last_frame() const;
+
   const StageTimes& last_times() const { return times_; }
 
  private:
@@ -86,6 +99,7 @@ class Odometry {
 
   Camera camera_;
   OdometryOptions options_;
+  int threads_;
   orb::Extractor extractor_;
   KeypointNoise noise_;
   Initializer initializer_;

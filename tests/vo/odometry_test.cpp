@@ -102,6 +102,35 @@ TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
   ExpectIdentical(b.GetTrajectory(), RunDrive(second, 1));
 }
 
+TEST(OdometryTest, AfterAResetItGivesWhatANewOneGives) {
+  const std::vector<cv::Mat> pictures = MakeDrive(6, 1);
+  Odometry odometry(test::PinholeCamera());
+  for (int i = 0; i < 4; ++i) odometry.Process(pictures[5 - i], (i + 1) * kFrameTime);
+  odometry.Reset();
+  EXPECT_EQ(odometry.map().num_keyframes(), 0);
+  TimeNs time_ns = 0;
+  for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
+  ExpectIdentical(odometry.Finish(), RunDrive(pictures, 1));
+}
+
+TEST(OdometryTest, TracksOfTheLastFrameNameLivingLandmarks) {
+  const std::vector<cv::Mat> pictures = MakeDrive(8, 1);
+  Odometry odometry(test::PinholeCamera());
+  EXPECT_EQ(odometry.last_frame().num_keypoints(), 0);
+  for (int i = 0; i < 8; ++i) {
+    const FrameResult result = odometry.Process(pictures[i], (i + 1) * kFrameTime);
+    const Frame& frame = odometry.last_frame();
+    EXPECT_EQ(frame.index, i);
+    EXPECT_EQ(frame.num_keypoints(), result.num_features);
+    EXPECT_EQ(CountSeenLandmarks(frame) > 0, result.world_from_camera.has_value());
+    for (const LandmarkId id : frame.landmarks) {
+      if (id != kNoId) {
+        ASSERT_NE(odometry.map().FindLandmark(id), nullptr);
+      }
+    }
+  }
+}
+
 TEST(OdometryTest, StandingStillHasNoPose) {
   const cv::Mat picture = TwoWalls(5).Render(0);
   const Trajectory trajectory = RunDrive(std::vector<cv::Mat>(10, picture), 1);
