@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <tbb/info.h>
@@ -138,6 +139,48 @@ Features DescribeLevel(const PyramidLevel& level, int octave,
   return features;
 }
 
+/// The nearest pixel of the level, if a keypoint there can be described.
+std::optional<cv::Point> DescribablePixel(const PyramidLevel& level, const Keypoint& keypoint) {
+  const double x = level.LevelX(keypoint.x);
+  const double y = level.LevelY(keypoint.y);
+  const bool near_image = x >= 0 && x < level.image.cols && y >= 0 && y < level.image.rows;
+  if (!near_image) return std::nullopt;  // Also where a coordinate is not a number.
+  const cv::Point pixel(RoundHalfUp(x), RoundHalfUp(y));
+  if (!InsideBorder(level.image).contains(pixel)) return std::nullopt;
+  return pixel;
+}
+
+bool IsDirection(float angle_deg) { return angle_deg >= 0.0F && angle_deg < 360.0F; }
+
+/// Describes keypoints of any octave one by one; levels are smoothed when first needed.
+class KeypointDescriber {
+ public:
+  KeypointDescriber(const std::vector<PyramidLevel>& levels, const RotatedPatterns& patterns,
+                    bool upright)
+      : levels_(levels), patterns_(patterns), upright_(upright), sums_(levels.size()) {}
+
+  /// None where the keypoint cannot be described. Measures its angle if it has none.
+  std::optional<Descriptor> operator()(Keypoint& keypoint) {
+    if (keypoint.octave < 0 || keypoint.octave >= static_cast<int>(levels_.size())) return {};
+    const PyramidLevel& level = levels_[keypoint.octave];
+    const std::optional<cv::Point> pixel = DescribablePixel(level, keypoint);
+    if (!pixel) return {};
+    cv::Mat& sums = sums_[keypoint.octave];
+    if (sums.empty()) sums = WindowSums(level.image);
+    if (!IsDirection(keypoint.angle_deg)) {
+      keypoint.angle_deg = OrientationDeg(level.image, pixel->x, pixel->y);
+    }
+    const Pattern& pattern = upright_ ? patterns_[0] : patterns_.Nearest(keypoint.angle_deg);
+    return Describe(sums, pixel->x, pixel->y, pattern);
+  }
+
+ private:
+  const std::vector<PyramidLevel>& levels_;
+  const RotatedPatterns& patterns_;
+  bool upright_;
+  std::vector<cv::Mat> sums_;
+};
+
 Features Concatenate(const std::vector<Features>& parts) {
   Features all;
   for (const Features& part : parts) {
@@ -174,6 +217,23 @@ Features Extractor::Extract(const cv::Mat& image, const cv::Mat& mask) const {
     parts[i] = DescribeLevel(levels[i], i, selected, patterns_, options_.upright);
   });
   return Concatenate(parts);
+}
+
+DescribedKeypoints Extractor::Describe(const cv::Mat& image,
+                                       std::span<const Keypoint> keypoints) const {
+  CheckInput(image, cv::Mat());
+  const std::vector<PyramidLevel> levels = BuildPyramid(image, octave_scales_);
+  KeypointDescriber describe(levels, patterns_, options_.upright);
+  DescribedKeypoints described;
+  for (std::size_t i = 0; i < keypoints.size(); ++i) {
+    Keypoint keypoint = keypoints[i];
+    const std::optional<Descriptor> descriptor = describe(keypoint);
+    if (!descriptor) continue;
+    described.features.keypoints.push_back(keypoint);
+    described.features.descriptors.push_back(*descriptor);
+    described.indices.push_back(static_cast<int>(i));
+  }
+  return described;
 }
 
 }  // namespace corvo::orb

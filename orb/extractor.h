@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -9,6 +10,12 @@
 #include "orb/types.h"
 
 namespace corvo::orb {
+
+/// Keypoints found elsewhere, described.
+struct DescribedKeypoints {
+  Features features;         ///< In the order given; with the angle they were described at.
+  std::vector<int> indices;  ///< features.keypoints[i] was given as keypoint indices[i].
+};
 
 /// ORB features of grey images: oriented FAST keypoints spread over a grid and rotated BRIEF
 /// descriptors (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011).
@@ -24,6 +31,13 @@ class Extractor {
   /// corners exist, sorted by octave, then row, then column of the level. Images too small for a
   /// level have no keypoints there. Throws corvo::Error on a wrong type or size.
   Features Extract(const cv::Mat& image, const cv::Mat& mask = cv::Mat()) const;
+
+  /// Describes given keypoints, each at the nearest pixel of its octave's level. An angle outside
+  /// [0, 360), as detectors without orientation give, is measured. Left out is what cannot be
+  /// described: keypoints less than kBorder px from their level's edge, and octaves that the
+  /// pyramid lacks. What Extract() returns is described the same here. Throws corvo::Error as
+  /// Extract().
+  DescribedKeypoints Describe(const cv::Mat& image, std::span<const Keypoint> keypoints) const;
 
   /// scale_factor^octave for every level: the nominal size of a level's pixel in the input image.
   const std::vector<double>& octave_scales() const { return octave_scales_; }

@@ -20,6 +20,10 @@ struct PyramidLevel {
   double InputX(double x) const { return (x + 0.5) * ratio_x - 0.5; }
   /// Row in the input image of a row of the level.
   double InputY(double y) const { return (y + 0.5) * ratio_y - 0.5; }
+  /// Column in the level of a column of the input image: the inverse of InputX.
+  double LevelX(double x) const { return (x + 0.5) / ratio_x - 0.5; }
+  /// Row in the level of a row of the input image: the inverse of InputY.
+  double LevelY(double y) const { return (y + 0.5) / ratio_y - 0.5; }
 };
 
 /// factor^level for `num_levels` levels.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <tuple>
 
@@ -13,6 +12,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "orb/descriptor.h"
+#include "orb/hamming.h"
 #include "orb/matcher.h"
 #include "orb/pyramid.h"
 #include "tests/orb/images.h"
@@ -307,6 +307,54 @@ TEST(ExtractorTest, UprightUsesTheUnrotatedPattern) {
   EXPECT_EQ(Extractor(options).Extract(image).keypoints, upright.keypoints);
 }
 
+TEST(ExtractorTest, DescribesItsOwnKeypointsAsItFoundThem) {
+  const cv::Mat image = ShapesImage({400, 300}, 30);
+  for (const bool upright : {false, true}) {
+    ExtractorOptions options;
+    options.upright = upright;
+    const Extractor extractor(options);
+    const Features features = extractor.Extract(image);
+    ASSERT_EQ(features.keypoints.size(), 1000U);
+    const DescribedKeypoints described = extractor.Describe(image, features.keypoints);
+    EXPECT_EQ(described.features, features);
+    ASSERT_EQ(described.indices.size(), 1000U);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(described.indices[i], i);
+  }
+}
+
+TEST(ExtractorTest, DescribesAtTheGivenAngleAndMeasuresAMissingOne) {
+  const cv::Mat image = ShapesImage({300, 200}, 31);
+  const Extractor extractor;
+  const Features features = extractor.Extract(image);
+  for (const float none : {-1.0F, 360.0F, std::nanf("")}) {
+    std::vector<Keypoint> keypoints = features.keypoints;
+    for (Keypoint& keypoint : keypoints) keypoint.angle_deg = none;
+    EXPECT_EQ(extractor.Describe(image, keypoints).features, features);
+  }
+  Keypoint turned = features.keypoints[0];
+  turned.angle_deg = turned.angle_deg < 180 ? turned.angle_deg + 180 : turned.angle_deg - 180;
+  const Features described = extractor.Describe(image, std::vector{turned}).features;
+  EXPECT_EQ(described.keypoints[0], turned);
+  EXPECT_GT(HammingDistance(described.descriptors[0], features.descriptors[0]), 40);
+}
+
+TEST(ExtractorTest, LeavesOutWhatItCannotDescribe) {
+  const cv::Mat image = ShapesImage({120, 100}, 32);
+  const float nan = std::nanf("");
+  const std::vector<Keypoint> keypoints = {
+      {20.4F, 50, 0, 1, 0}, {20.5F, 50, 0, 2, 0}, {50, 79, 0, 3, 0},  {50, 78, 0, 4, 0},
+      {60, 50, 0, 5, -1},   {60, 50, 0, 6, 8},    {60, 50, 0, 7, 7},  {60, 50, 0, 8, 3},
+      {nan, 50, 0, 9, 0},   {60, -1e30F, 0, 10},  {1e30F, 50, 0, 11}, {25, 50, 0, 12, 2}};
+  const DescribedKeypoints described = Extractor().Describe(image, keypoints);
+  EXPECT_THAT(described.indices, testing::ElementsAre(1, 3, 7));
+  ASSERT_EQ(described.features.descriptors.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(described.features.keypoints[i], keypoints[described.indices[i]]);
+  }
+  EXPECT_TRUE(Extractor().Describe(image, {}).indices.empty());
+  EXPECT_THAT([&] { Extractor().Describe(cv::Mat(), keypoints); }, ThrowsError("image is empty"));
+}
+
 TEST(ExtractorTest, OctaveScalesArePowers) {
   ExtractorOptions options;
   options.num_levels = 3;
@@ -345,20 +393,12 @@ TEST(ExtractorTest, BadInputIsNamed) {
   EXPECT_THAT([] { Extractor({}, 0); }, ThrowsError("threads is 0", "1 to 256"));
 }
 
-cv::Matx33d ReadHomography(const std::string& relative) {
-  cv::Matx33d homography;
-  std::ifstream file(test::DataPath(relative));
-  for (double& entry : homography.val) file >> entry;
-  EXPECT_TRUE(file) << relative;
-  return homography;
-}
-
 TEST(ExtractorTest, MatchesAPlaneSeenFromTheSide) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor(WithFeatures(1000));
   const Features first = extractor.Extract(ReadGrey("oxford_affine/graf/img1.ppm"));
   const Features second = extractor.Extract(ReadGrey("oxford_affine/graf/img2.ppm"));
-  const cv::Matx33d second_from_first = ReadHomography("oxford_affine/graf/H1to2p");
+  const cv::Matx33d second_from_first = test::ReadHomography("oxford_affine/graf/H1to2p");
   int correct = 0;
   for (const Match& match : MatchMutually(first, second)) {
     const Keypoint& from = first.keypoints[match.query];

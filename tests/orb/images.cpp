@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -46,6 +48,14 @@ cv::Mat ReadGrey(const std::string& relative) {
   cv::Mat image = cv::imread(DataPath(relative).string(), cv::IMREAD_GRAYSCALE);
   EXPECT_FALSE(image.empty()) << "cannot read " << DataPath(relative);
   return image;
+}
+
+cv::Matx33d ReadHomography(const std::string& relative) {
+  cv::Matx33d homography;
+  std::ifstream file(DataPath(relative));
+  for (double& entry : homography.val) file >> entry;
+  EXPECT_TRUE(file) << relative;
+  return homography;
 }
 
 const std::vector<std::string>& RealImages() {

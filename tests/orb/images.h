@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/matx.hpp>
 
 #include "orb/types.h"
 
@@ -18,6 +19,9 @@ cv::Mat ShapesImage(cv::Size size, std::uint64_t seed, int min_grey = 0, int max
 
 /// A grey image of the test data. Fails the test if it cannot be read.
 cv::Mat ReadGrey(const std::string& relative);
+
+/// The nine numbers of a file of the test data. Fails the test if it cannot be read.
+cv::Matx33d ReadHomography(const std::string& relative);
 
 /// Pictures of the test data that differ in kind: street, wall, trees, room.
 const std::vector<std::string>& RealImages();

@@ -103,6 +103,8 @@ TEST(BuildPyramidTest, ExtremePixelsMapSymmetrically) {
   for (const auto& level : BuildPyramid(NoiseImage({641, 357}, 5), OctaveScales(8, 1.2))) {
     EXPECT_NEAR(level.InputX(0) + level.InputX(level.image.cols - 1), 640, 1e-9);
     EXPECT_NEAR(level.InputY(0) + level.InputY(level.image.rows - 1), 356, 1e-9);
+    EXPECT_NEAR(level.LevelX(level.InputX(12.25)), 12.25, 1e-9);
+    EXPECT_NEAR(level.LevelY(level.InputY(3.5)), 3.5, 1e-9);
   }
 }
 

@@ -1,0 +1,156 @@
+#pragma once
+
+// corvo's features as a cv::Feature2D, and conversions from and to OpenCV's types. Header-only, so
+// that corvo::orb itself needs nothing of OpenCV's features2d; the CMake target is corvo::opencv.
+
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "orb/error.h"
+#include "orb/extractor.h"
+#include "orb/types.h"
+
+namespace corvo::orb {
+
+/// Side of the patch a keypoint is described from, px of its level; as cv::ORB's.
+inline constexpr int kPatchSize = 31;
+
+/// `octave_scales` are the extractor's: a keypoint's size is kPatchSize times its octave's. Angles
+/// and coordinates mean the same in both. Throws corvo::Error on an octave that has no scale.
+inline std::vector<cv::KeyPoint> ToKeyPoints(std::span<const Keypoint> keypoints,
+                                             std::span<const double> octave_scales) {
+  std::vector<cv::KeyPoint> converted;
+  converted.reserve(keypoints.size());
+  for (const Keypoint& keypoint : keypoints) {
+    CheckRange("octave", keypoint.octave, 0, static_cast<int>(octave_scales.size()) - 1);
+    const auto size = static_cast<float>(kPatchSize * octave_scales[keypoint.octave]);
+    converted.emplace_back(keypoint.x, keypoint.y, size, keypoint.angle_deg, keypoint.response,
+                           keypoint.octave);
+  }
+  return converted;
+}
+
+/// Sizes and class ids have no counterpart and are dropped.
+inline std::vector<Keypoint> FromKeyPoints(std::span<const cv::KeyPoint> keypoints) {
+  std::vector<Keypoint> converted;
+  converted.reserve(keypoints.size());
+  for (const cv::KeyPoint& keypoint : keypoints) {
+    converted.push_back(
+        {keypoint.pt.x, keypoint.pt.y, keypoint.angle, keypoint.response, keypoint.octave});
+  }
+  return converted;
+}
+
+/// One row of 32 bytes (CV_8UC1) for each descriptor, as OpenCV's matchers take them; an empty
+/// matrix for none.
+inline cv::Mat ToDescriptorMat(std::span<const Descriptor> descriptors) {
+  if (descriptors.empty()) return {};
+  cv::Mat rows(static_cast<int>(descriptors.size()), sizeof(Descriptor::bytes), CV_8UC1);
+  for (int i = 0; i < rows.rows; ++i) {
+    std::memcpy(rows.ptr(i), descriptors[i].bytes.data(), sizeof(Descriptor::bytes));
+  }
+  return rows;
+}
+
+/// The inverse of ToDescriptorMat. Throws corvo::Error unless the matrix is empty or of that form.
+inline std::vector<Descriptor> FromDescriptorMat(const cv::Mat& rows) {
+  if (rows.empty()) return {};
+  if (rows.type() != CV_8UC1 || rows.cols != static_cast<int>(sizeof(Descriptor::bytes))) {
+    throw Error("descriptors have " + std::to_string(rows.cols) + " columns of OpenCV type " +
+                std::to_string(rows.type()) + "; allowed is 32 of CV_8UC1");
+  }
+  std::vector<Descriptor> descriptors(rows.rows);
+  for (int i = 0; i < rows.rows; ++i) {
+    std::memcpy(descriptors[i].bytes.data(), rows.ptr(i), sizeof(Descriptor::bytes));
+  }
+  return descriptors;
+}
+
+/// Extractor behind OpenCV's interface, which says what the functions do; made by
+/// CreateFeature2D(). Pictures are 8-bit: grey, BGR or BGRA. As with cv::ORB, given keypoints that
+/// cannot be described (Extractor::Describe says which) are removed, and a mask applies to
+/// detection only. An empty picture has no features. Bad input throws cv::Exception, as OpenCV's
+/// own features do. One object may be used by several threads at once.
+class Feature2DAdaptor final : public cv::Feature2D {
+ public:
+  Feature2DAdaptor(const ExtractorOptions& options, int threads) : extractor_(options, threads) {}
+
+  void detectAndCompute(cv::InputArray image, cv::InputArray mask,
+                        std::vector<cv::KeyPoint>& keypoints, cv::OutputArray descriptors,
+                        bool use_provided_keypoints = false) override {
+    try {
+      const cv::Mat grey = ToGrey(image.getMat());
+      const Features features =
+          use_provided_keypoints ? Describe(grey, keypoints) : Detect(grey, mask, keypoints);
+      if (!descriptors.needed()) return;
+      ToDescriptorMat(features.descriptors).copyTo(descriptors);
+    } catch (const Error& error) {
+      CV_Error(cv::Error::StsBadArg, error.what());
+    }
+  }
+
+  int descriptorSize() const override { return sizeof(Descriptor::bytes); }
+  int descriptorType() const override { return CV_8U; }
+  int defaultNorm() const override { return cv::NORM_HAMMING; }
+  bool empty() const override { return false; }
+  cv::String getDefaultName() const override { return "Feature2D.corvo"; }
+
+ private:
+  static cv::Mat ToGrey(const cv::Mat& image) {
+    if (image.empty() || image.type() == CV_8UC1) return image;
+    cv::Mat grey;
+    if (image.type() == CV_8UC3) {
+      cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+    } else if (image.type() == CV_8UC4) {
+      cv::cvtColor(image, grey, cv::COLOR_BGRA2GRAY);
+    } else {
+      throw Error("image has OpenCV type " + std::to_string(image.type()) +
+                  "; allowed is 8-bit grey (CV_8UC1), BGR (CV_8UC3) or BGRA (CV_8UC4)");
+    }
+    return grey;
+  }
+
+  Features Detect(const cv::Mat& grey, cv::InputArray mask,
+                  std::vector<cv::KeyPoint>& keypoints) const {
+    Features features;
+    if (!grey.empty()) features = extractor_.Extract(grey, mask.getMat());
+    keypoints = ToKeyPoints(features.keypoints, extractor_.octave_scales());
+    return features;
+  }
+
+  /// Keeps what it can describe of `keypoints`, in their order.
+  Features Describe(const cv::Mat& grey, std::vector<cv::KeyPoint>& keypoints) const {
+    DescribedKeypoints described;
+    if (!grey.empty()) described = extractor_.Describe(grey, FromKeyPoints(keypoints));
+    std::vector<cv::KeyPoint> kept;
+    for (std::size_t i = 0; i < described.indices.size(); ++i) {
+      kept.push_back(keypoints[described.indices[i]]);
+      kept.back().angle = described.features.keypoints[i].angle_deg;
+    }
+    keypoints = kept;
+    return described.features;
+  }
+
+  Extractor extractor_;
+};
+
+/// corvo's features for any program that takes a cv::Feature2D. `threads` levels are worked on at
+/// once; it never changes the features. Throws corvo::Error on options out of range.
+inline cv::Ptr<cv::Feature2D> CreateFeature2D(const ExtractorOptions& options, int threads = 1) {
+  return cv::makePtr<Feature2DAdaptor>(options, threads);
+}
+
+/// As cv::ORB::create(num_features), with corvo's defaults: keypoints spread over a grid. 0 stands
+/// for 1000, or 2000 for pictures at least 1000 px wide.
+inline cv::Ptr<cv::Feature2D> CreateFeature2D(int num_features = 0) {
+  ExtractorOptions options;
+  options.num_features = num_features;
+  return CreateFeature2D(options);
+}
+
+}  // namespace corvo::orb
