@@ -19,12 +19,19 @@ bool FitsSize(const fs::path& file, int width, int height) {
   }
 }
 
+/// Installed or not, it lies at one place relative to the command.
+fs::path ConfigFolder() {
+  std::error_code none;
+  const fs::path command = fs::read_symlink("/proc/self/exe", none);
+  return (command.parent_path() / CORVO_CONFIGS_FROM_COMMAND).lexically_normal();
+}
+
 }  // namespace
 
 std::vector<fs::path> FindShippedCameras(int width, int height) {
   std::vector<fs::path> files;
   std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(CORVO_CONFIG_DIR, none)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(ConfigFolder(), none)) {
     if (FitsSize(entry.path(), width, height)) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

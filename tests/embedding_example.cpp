@@ -1,7 +1,7 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "vo/odometry.h"
+#include <corvo/vo/odometry.h>
 
 int main(int argc, char** argv) {  // The images of a 30 Hz sequence, in order.
   const corvo::Camera camera(

@@ -1,0 +1,36 @@
+# What `cmake --install` lays down: libraries, headers and the CMake package; with the command also
+# the command and the configurations. The package may be moved: it names no path of this machine.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(corvo_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/corvo)
+
+# Each component is exported by itself, so that those who want one need not have what others need.
+foreach(component IN ITEMS orb vo opencv)
+  set_target_properties(corvo_${component} PROPERTIES EXPORT_NAME ${component})
+  install(TARGETS corvo_${component} EXPORT corvo-${component}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_INCLUDEDIR}/corvo)
+  install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
+endforeach()
+
+# All headers but those of the adjustment's inside, which include Ceres.
+install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
+  FILES_MATCHING PATTERN "*.h"
+  PATTERN "reprojection_cost.h" EXCLUDE
+  PATTERN "se3_manifold.h" EXCLUDE)
+
+configure_package_config_file(cmake/corvo-config.cmake.in
+  ${PROJECT_BINARY_DIR}/corvo-config.cmake
+  INSTALL_DESTINATION ${corvo_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/corvo-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES ${PROJECT_BINARY_DIR}/corvo-config.cmake ${PROJECT_BINARY_DIR}/corvo-config-version.cmake
+  DESTINATION ${corvo_package_dir})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(TARGET corvo)
+  install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/corvo)
+endif()
