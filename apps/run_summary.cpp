@@ -25,7 +25,7 @@ int CountLandmarks(const Map& map) {
 }
 
 Json CameraJson(const CameraParameters& camera) {
-  Json json;
+  Json json = {{"model", ToString(camera.model)}};
   CameraParameters::Visit(
       camera, [&json](const char* name, const auto& value, auto&&...) { json[name] = value; });
   return json;

@@ -23,7 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPinholeRadtan = "pinhole-radtan";
 constexpr double kMinFrameRateHz = 1e-3;
 constexpr double kMaxFrameRateHz = 1e5;
 
@@ -271,12 +270,21 @@ std::string ReadText(const Section& section, const std::string& key) {
   throw Error(section.Start(key) + " must be text");
 }
 
-void CheckModel(const Section& section) {
+CameraModel ReadModel(const Section& section) {
   section.Require("model");
-  const std::string model = ReadText(section, "model");
-  if (model == kPinholeRadtan) return;
-  throw Error(
-      fmt::format("{} is \"{}\"; allowed is {}", section.Start("model"), model, kPinholeRadtan));
+  try {
+    return ParseCameraModel(ReadText(section, "model"));
+  } catch (const Error& error) {
+    throw Error(section.Start("model") + ": " + error.what());
+  }
+}
+
+Camera MakeCamera(const CameraParameters& parameters, const fs::path& file) {
+  try {
+    return Camera(parameters);
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
+  }
 }
 
 std::optional<double> ReadFrameRate(const Section& section) {
@@ -320,19 +328,20 @@ std::string WriteOptions(const OdometryOptions& options) {
 CameraFile ReadCameraFile(const fs::path& file) {
   CameraParameters parameters;
   const Section root(file, "", Load(file));
-  std::vector<std::string> known = FieldNames(parameters);
-  known.insert(known.end(), {"model", "frame_rate_hz", "source"});
+  std::vector<std::string> known = {"model", "frame_rate_hz", "source"};
+  CameraParameters::VisitAll(parameters, NameCollector{known});
   root.CheckKeys(known);
-  CheckModel(root);
+  parameters.model = ReadModel(root);
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy"}) root.Require(key);
-  CameraParameters::Visit(parameters, FieldReader(root));
-  return {Camera(parameters), ReadFrameRate(root), ReadText(root, "source")};
+  CameraParameters::VisitAll(parameters, FieldReader(root));
+  return {MakeCamera(parameters, file), ReadFrameRate(root), ReadText(root, "source")};
 }
 
 std::string WriteCameraFile(const CameraFile& camera_file) {
-  std::string text = fmt::format("model: {}\n", kPinholeRadtan);
+  const CameraParameters& parameters = camera_file.camera.parameters();
+  std::string text = fmt::format("model: {}\n", ToString(parameters.model));
   if (!camera_file.source.empty()) text += "source: " + Quoted(camera_file.source) + "\n";
-  CameraParameters::Visit(camera_file.camera.parameters(), FieldWriter("", text));
+  CameraParameters::Visit(parameters, FieldWriter("", text));
   if (camera_file.frame_rate_hz) {
     FieldWriter("", text)("frame_rate_hz", *camera_file.frame_rate_hz, kMinFrameRateHz,
                           kMaxFrameRateHz, "pictures a second");

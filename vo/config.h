@@ -27,8 +27,9 @@ struct CameraFile {
   std::string source;  ///< Where the numbers come from; may be empty.
 };
 
-/// Keys: model (pinhole-radtan), width, height, fx, fy, cx, cy, all needed; k1, k2, p1, p2, k3,
-/// 0 if left out; frame_rate_hz and source, optional.
+/// Keys: model (pinhole-radtan, kb4 or fov), width, height, fx, fy, cx, cy, all needed; the model's
+/// distortion (pinhole-radtan: k1, k2, p1, p2, k3; kb4: k1, k2, k3, k4; fov: omega), 0 if left out;
+/// frame_rate_hz and source, optional.
 CameraFile ReadCameraFile(const std::filesystem::path& file);
 
 /// The text of a file that ReadCameraFile() reads back the same.

@@ -16,11 +16,11 @@ struct FreeKeypoints {
   std::vector<double> max_squared_distance;  ///< From an epipolar line, squared ray units.
 };
 
-FreeKeypoints CollectFree(const Frame& frame, double focal_px, const KeypointNoise& noise) {
+FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const KeypointNoise& noise) {
   FreeKeypoints free;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] != kNoId) continue;
-    const double sigma = noise.Sigma(frame.keypoint(k)) / focal_px;
+    const double sigma = noise.Sigma(frame.keypoint(k)) / camera.FocalAt(frame.rays[k]);
     free.index.push_back(k);
     free.rays.push_back(frame.rays[k]);
     free.max_squared_distance.push_back(kChiSquare1Dof95 * sigma * sigma);
@@ -54,14 +54,14 @@ orb::Nearest FindNearestOnLine(const orb::Descriptor& query, const Eigen::Vector
 }  // namespace
 
 std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
-                                                double focal_px, const KeypointNoise& noise,
+                                                const Camera& camera, const KeypointNoise& noise,
                                                 int max_distance) {
   constexpr double kMaxRatio = 0.9;
   const SE3 second_from_first = second.world_from_camera.Inverse() * first.world_from_camera;
   const Eigen::Matrix3d essential =
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
-  const FreeKeypoints free_first = CollectFree(first, focal_px, noise);
-  const FreeKeypoints free_second = CollectFree(second, focal_px, noise);
+  const FreeKeypoints free_first = CollectFree(first, camera, noise);
+  const FreeKeypoints free_second = CollectFree(second, camera, noise);
   std::vector<orb::Match> matches;
   for (std::size_t i = 0; i < free_first.index.size(); ++i) {
     const int k = free_first.index[i];

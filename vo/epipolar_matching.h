@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "orb/matcher.h"
+#include "vo/camera.h"
 #include "vo/frame.h"
 #include "vo/keypoint_noise.h"
 
@@ -12,7 +13,7 @@ namespace corvo {
 /// descriptor within `max_distance` bits among the keypoints near the epipolar line, distinct and
 /// mutual, turned consistently.
 std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
-                                                double focal_px, const KeypointNoise& noise,
+                                                const Camera& camera, const KeypointNoise& noise,
                                                 int max_distance);
 
 }  // namespace corvo

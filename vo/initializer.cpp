@@ -131,7 +131,10 @@ std::vector<RayMatch> Initializer::ToRayMatches(const std::vector<orb::Match>& m
   for (const orb::Match& match : matches) {
     const double sigma_px = std::max(noise_.Sigma(first.keypoint(match.query)),
                                      noise_.Sigma(second.keypoint(match.train)));
-    rays.push_back({first.rays[match.query], second.rays[match.train], sigma_px / camera_.focal()});
+    const Eigen::Vector2d& first_ray = first.rays[match.query];
+    const Eigen::Vector2d& second_ray = second.rays[match.train];
+    const double focal = std::min(camera_.FocalAt(first_ray), camera_.FocalAt(second_ray));
+    rays.push_back({first_ray, second_ray, sigma_px / focal});
   }
   return rays;
 }

@@ -101,7 +101,7 @@ int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const K
     const Frame& first = map.keyframe(keyframe).frame;
     const Frame& second = map.keyframe(neighbor).frame;
     for (const orb::Match& match :
-         MatchAlongEpipolarLines(first, second, camera.focal(), noise, options.max_distance)) {
+         MatchAlongEpipolarLines(first, second, camera, noise, options.max_distance)) {
       const auto in_world = TriangulateViews({first, match.query}, {second, match.train}, camera,
                                              noise, min_parallax);
       if (!in_world) continue;

@@ -179,27 +179,70 @@ TEST_F(CameraFileTest, WrongValuesAreErrors) {
   const auto expect_error = [&](const std::string& line, const std::string& message) {
     EXPECT_THAT([&] { Read(kCamera + line + "\n"); }, ThrowsError("cam.yaml:8: " + message));
   };
-  expect_error("k4: 0", "unknown key k4; the nearest known key is k");
+  expect_error("k5: 0", "unknown key k5; the nearest known key is k");
   expect_error("fx: 500", "fx is given twice");
   expect_error("k1: much", "k1 is \"much\"; allowed is a number");
   expect_error("k1: 1e9", "k1 is 1e+09; allowed is -1000 to 1000");
   expect_error("frame_rate_hz: 0", "frame_rate_hz is 0; allowed is 0.001 to 100000");
   expect_error("frame_rate_hz: -30", "frame_rate_hz is -30");
   expect_error("source: [a]", "source must be text");
-  EXPECT_THAT([&] { Read("model: fisheye\nwidth: 640\n"); },
-              ThrowsError("cam.yaml:1: model is \"fisheye\"; allowed is pinhole-radtan"));
+  EXPECT_THAT(
+      [&] { Read("model: fisheye\nwidth: 640\n"); },
+      ThrowsError("cam.yaml:1: model", "\"fisheye\"", "allowed is pinhole-radtan, kb4 or fov"));
 }
 
-TEST(ShippedCamerasTest, Read) {
-  const CameraFile tum = ReadCameraFile(test::SourceDir() / "configs" / "tum_fr1.yaml");
-  EXPECT_EQ(tum.camera.fx(), 517.306408);
-  EXPECT_EQ(tum.camera.parameters().k3, 1.163314);
-  EXPECT_EQ(tum.frame_rate_hz, 30);
-  EXPECT_FALSE(tum.source.empty());
-  const CameraFile seven_scenes = ReadCameraFile(test::SourceDir() / "configs" / "7scenes.yaml");
-  EXPECT_EQ(seven_scenes.camera.fx(), 585);
-  EXPECT_EQ(seven_scenes.camera.width(), 640);
-  EXPECT_FALSE(seven_scenes.source.empty());
+TEST_F(CameraFileTest, EveryModelReadsBackTheSame) {
+  const std::string size = "width: 640\nheight: 480\nfx: 200\nfy: 201\ncx: 320\ncy: 240\n";
+  for (const std::string text : {"model: pinhole\n" + size + "k1: 0.1\np2: 0.2\n",
+                                 "model: kb4\n" + size + "k1: 0.01\nk2: 0.02\nk3: 0.03\nk4: 0.04\n",
+                                 "model: fov\n" + size + "omega: 0.9\n"}) {
+    const CameraFile file = Read(text);
+    EXPECT_EQ(Read(WriteCameraFile(file)).camera, file.camera) << text;
+  }
+  const CameraFile kb4 = Read("model: kb4\n" + size + "k4: 0.04\np1: 0\n");
+  EXPECT_EQ(kb4.camera.parameters().model, CameraModel::kKb4);
+  EXPECT_EQ(kb4.camera.parameters().k4, 0.04);
+  EXPECT_THAT(WriteCameraFile(kb4), ::testing::AllOf(::testing::HasSubstr("k4: 0.04"),
+                                                     ::testing::Not(::testing::HasSubstr("p1"))));
+}
+
+TEST_F(CameraFileTest, DistortionOfAnotherModelIsAnError) {
+  EXPECT_THAT([&] { Read(std::string(kCamera) + "omega: 0.9\n"); },
+              ThrowsError("cam.yaml: camera.omega is 0.9", "pinhole-radtan has no such parameter"));
+}
+
+CameraFile Shipped(const std::string& name) {
+  return ReadCameraFile(test::SourceDir() / "configs" / (name + ".yaml"));
+}
+
+TEST(ShippedCamerasTest, ReadAndSeeTheirWholePicture) {
+  for (const char* name : {"7scenes", "euroc", "kitti_00-02", "kitti_03", "kitti_04-12", "tum_fr1",
+                           "tum_fr2", "tum_fr3", "tum_mono", "tumvi"}) {
+    const CameraFile file = Shipped(name);
+    EXPECT_FALSE(file.source.empty()) << name;
+    const Camera& camera = file.camera;
+    for (const Eigen::Vector2d& pixel :
+         {Eigen::Vector2d(0, camera.cy()), Eigen::Vector2d(camera.width() - 1, camera.cy()),
+          Eigen::Vector2d(camera.cx(), 0), Eigen::Vector2d(camera.cx(), camera.height() - 1)}) {
+      EXPECT_TRUE(camera.Undistort(pixel)) << name << " at " << pixel.transpose();
+    }
+  }
+}
+
+TEST(ShippedCamerasTest, HaveThePublishedNumbers) {
+  EXPECT_EQ(Shipped("tum_fr1").camera.fx(), 517.306408);
+  EXPECT_EQ(Shipped("tum_fr1").camera.parameters().k3, 1.163314);
+  EXPECT_EQ(Shipped("tum_fr1").frame_rate_hz, 30);
+  EXPECT_EQ(Shipped("7scenes").camera.fx(), 585);
+  EXPECT_EQ(Shipped("tumvi").camera.parameters().model, CameraModel::kKb4);
+  EXPECT_EQ(Shipped("tumvi").camera.parameters().k4, 0.00020293673591811182);
+  // camera.txt has them in units of the picture: 0.535719308086809 0.669566858850269 ...
+  const Camera tum_mono = Shipped("tum_mono").camera;
+  EXPECT_EQ(tum_mono.parameters().model, CameraModel::kFov);
+  EXPECT_DOUBLE_EQ(tum_mono.fx(), 1280 * 0.535719308086809);
+  EXPECT_DOUBLE_EQ(tum_mono.fy(), 1024 * 0.669566858850269);
+  EXPECT_DOUBLE_EQ(tum_mono.cx(), 1280 * 0.493248545285398 - 0.5);
+  EXPECT_DOUBLE_EQ(tum_mono.cy(), 1024 * 0.500408664348414 - 0.5);
 }
 
 }  // namespace
