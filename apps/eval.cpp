@@ -3,87 +3,88 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/eval_inputs.h"
 #include "apps/evaluation_report.h"
+#include "apps/frame_states.h"
 #include "apps/plot.h"
-#include "apps/pose_file.h"
-#include "orb/error.h"
-#include "vo/trajectory_io.h"
 
 namespace corvo {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
   corvo eval result/trajectory.tum groundtruth.txt
+  corvo eval result MH_01_easy                       # a run, and the truth that the dataset ships
   corvo eval result/trajectory.tum poses/03.txt --times sequences/03/times.txt
   corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.png
+  corvo eval result groundtruth.txt --states tracking --rpe-seconds 2 --json
 
-EST and GT are in TUM format (8 columns: seconds, position, quaternion) or KITTI format (12 columns,
-no times). Two KITTI files are compared row by row. --align sim3 is for monocular trajectories.)";
+EST and GT are in TUM format (8 columns: seconds, position, quaternion), KITTI format (12 columns,
+no times) or EuRoC's (commas: ns, position, quaternion), whose truth is moved from the body to cam0
+by the calibration beside it. Two KITTI files are compared row by row. --align sim3 is for monocular
+trajectories. ATE and RPE are those of evo:
+  evo_ape tum GT EST -as
+  evo_rpe tum GT EST -as -d 1 -u f --all_pairs              # --rpe-frames 1
+  evo_rpe tum GT EST -as -d 1 -u m --pairs_from_reference   # --rpe-metres 1)";
 
 struct EvalArguments {
-  std::filesystem::path estimate;
-  std::filesystem::path truth;
-  std::filesystem::path times;  ///< Of the rows of a file in KITTI format.
+  EvalFiles files;
   std::filesystem::path picture;
+  std::filesystem::path frames;     ///< Empty: the frames.csv beside the estimate.
+  std::vector<std::string> states;  ///< Empty: of all frames.
   std::string alignment = "sim3";
-  double max_dt_s = 0.02;
+  std::optional<double> max_dt_s;
+  std::optional<double> rpe_metres;
+  int rpe_frames = 1;
+  double rpe_seconds = 1;
   bool json = false;
 };
 
-struct EvalInputs {
-  PoseSequence estimate;
-  PoseSequence truth;
-};
+TimeNs Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
 
-/// The poses of a file, with the times of --times where it has none of its own.
-PoseSequence PosesWithTimes(const PoseFile& poses, const EvalArguments& arguments) {
-  if (poses.has_times() || arguments.times.empty()) return poses.poses();
-  const std::vector<TimeNs> times = ReadKittiTimes(arguments.times);
-  if (poses.size() > times.size()) {
-    throw Error(fmt::format("{}: {} times for {} poses", arguments.times.string(), times.size(),
-                            poses.size()));
-  }
-  return poses.WithTimes(times);
+EvaluationOptions MakeOptions(const EvalArguments& arguments) {
+  EvaluationOptions options;
+  options.alignment = ParseAlignment(arguments.alignment);
+  if (arguments.max_dt_s) options.max_dt_ns = Nanoseconds(*arguments.max_dt_s);
+  options.relative_delta_frames = arguments.rpe_frames;
+  options.relative_delta_ns = Nanoseconds(arguments.rpe_seconds);
+  options.relative_delta_path = arguments.rpe_metres;
+  return options;
 }
 
-EvalInputs ReadEvalInputs(const EvalArguments& arguments) {
-  const PoseFile estimate = ReadPoseFile(arguments.estimate);
-  const PoseFile truth = ReadPoseFile(arguments.truth);
-  if (estimate.has_times() != truth.has_times() && arguments.times.empty()) {
-    const std::filesystem::path& without =
-        estimate.has_times() ? arguments.truth : arguments.estimate;
-    throw Error(
-        fmt::format("{}: KITTI format has no times; give --times FILE with the time of "
-                    "each row (the sequence's times.txt)",
-                    without.string()));
-  }
-  return {PosesWithTimes(estimate, arguments), PosesWithTimes(truth, arguments)};
+EvalInputs ReadInputs(const EvalArguments& arguments) {
+  EvalInputs inputs = ReadEvalInputs(arguments.files);
+  if (arguments.states.empty()) return inputs;
+  const std::filesystem::path frames = arguments.frames.empty()
+                                           ? inputs.estimate_file.parent_path() / "frames.csv"
+                                           : arguments.frames;
+  inputs.estimate = SelectStates(inputs.estimate, frames, arguments.states);
+  return inputs;
 }
 
-void PrintReport(const EvalArguments& arguments, const Evaluation& evaluation) {
+void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
+                 const Evaluation& evaluation) {
   if (!arguments.json) {
     fmt::print("{}", ToText(evaluation));
     return;
   }
-  nlohmann::ordered_json json = {{"estimate", arguments.estimate.string()},
-                                 {"truth", arguments.truth.string()},
+  nlohmann::ordered_json json = {{"estimate", inputs.estimate_file.string()},
+                                 {"truth", inputs.truth_file.string()},
                                  {"align", arguments.alignment}};
   json.update(ToJson(evaluation));
   fmt::print("{}\n", json.dump(2));
 }
 
 void Eval(const EvalArguments& arguments) {
-  const EvalInputs inputs = ReadEvalInputs(arguments);
-  EvaluationOptions options;
-  options.alignment = ParseAlignment(arguments.alignment);
-  options.max_dt_ns = std::llround(1e9 * arguments.max_dt_s);
-  const Evaluation evaluation = Evaluate(inputs.estimate, inputs.truth, options);
-  PrintReport(arguments, evaluation);
+  const EvalInputs inputs = ReadInputs(arguments);
+  const Evaluation evaluation = Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
+  PrintReport(arguments, inputs, evaluation);
   if (arguments.picture.empty()) return;
   const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
   if (!DrawTrajectory({{aligned}, inputs.truth}, arguments.picture)) {
@@ -91,20 +92,51 @@ void Eval(const EvalArguments& arguments) {
   }
 }
 
+void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
+  command
+      .add_option("EST", arguments.files.estimate,
+                  "estimated trajectory, or the folder that corvo run wrote")
+      ->required();
+  command
+      .add_option("GT", arguments.files.truth,
+                  "ground truth, or the folder of a sequence that has it in its layout")
+      ->required();
+  command.add_option("--times", arguments.files.times, "times of the rows of a KITTI file");
+  command
+      .add_option("--states", arguments.states,
+                  "only frames that frames.csv has in these states, such as tracking")
+      ->delimiter(',');
+  command.add_option("--frames", arguments.frames,
+                     "the run's frames.csv (default: that beside the estimate)");
+}
+
+void AddMeasureOptions(CLI::App& command, EvalArguments& arguments) {
+  command.add_option("--align", arguments.alignment, "what the estimate may be moved by")
+      ->check(CLI::IsMember({"sim3", "se3", "scale", "none"}))
+      ->capture_default_str();
+  command
+      .add_option("--max-dt", arguments.max_dt_s,
+                  "seconds between poses that are compared (default: half a frame)")
+      ->check(CLI::Range(0.0, 1e6));
+  command.add_option("--rpe-frames", arguments.rpe_frames, "frames that a relative error spans")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command.add_option("--rpe-seconds", arguments.rpe_seconds, "seconds that another spans")
+      ->check(CLI::Range(1e-9, 1e6))
+      ->capture_default_str();
+  command
+      .add_option("--rpe-metres", arguments.rpe_metres,
+                  "length of the true path that a third spans, in the truth's unit (default: none)")
+      ->check(CLI::Range(1e-9, 1e9));
+}
+
 }  // namespace
 
 void AddEvalCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("eval", "Measure a trajectory against the ground truth");
   const auto arguments = std::make_shared<EvalArguments>();
-  command->add_option("EST", arguments->estimate, "estimated trajectory")->required();
-  command->add_option("GT", arguments->truth, "ground truth")->required();
-  command->add_option("--align", arguments->alignment, "what the estimate may be moved by")
-      ->check(CLI::IsMember({"sim3", "se3", "scale", "none"}))
-      ->capture_default_str();
-  command->add_option("--max-dt", arguments->max_dt_s, "seconds between poses that are compared")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  command->add_option("--times", arguments->times, "times of the rows of a KITTI file");
+  AddInputOptions(*command, *arguments);
+  AddMeasureOptions(*command, *arguments);
   command->add_flag("--json", arguments->json, "print JSON");
   command->add_option("--plot", arguments->picture, "draw both as PNG");
   command->footer(kFooter);

@@ -7,6 +7,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+double Seconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
+
 Json StatisticsJson(const ErrorStatistics& errors) {
   return {{"count", errors.count},
           {"rmse", errors.rmse},
@@ -18,6 +20,14 @@ Json StatisticsJson(const ErrorStatistics& errors) {
 Json RelativeJson(const RelativeError& error) {
   return {{"translation", StatisticsJson(error.translation)},
           {"rotation_deg", StatisticsJson(error.rotation_deg)}};
+}
+
+/// With what the motions span under the name `key`.
+template <typename Span>
+Json RelativeJson(const char* key, Span span, const RelativeError& error) {
+  Json json = {{key, span}};
+  json.update(RelativeJson(error));
+  return json;
 }
 
 Json KittiJson(const KittiDrift& drift) {
@@ -44,9 +54,15 @@ double PercentOfPath(const Evaluation& evaluation) {
   return 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
 }
 
-std::string StatisticsText(const char* name, const ErrorStatistics& errors, const char* unit) {
+std::string StatisticsText(const std::string& name, const ErrorStatistics& errors,
+                           const char* unit) {
   return fmt::format("{:<22} rmse {:.6g}, mean {:.6g}, median {:.6g}, max {:.6g}{}\n", name,
                      errors.rmse, errors.mean, errors.median, errors.max, unit);
+}
+
+std::string RelativeText(const std::string& name, const RelativeError& error) {
+  return StatisticsText(name, error.translation, "") +
+         StatisticsText("", error.rotation_deg, " deg");
 }
 
 std::string DriftText(const Evaluation& evaluation) {
@@ -65,14 +81,22 @@ std::string DriftText(const Evaluation& evaluation) {
 }  // namespace
 
 Json ToJson(const Evaluation& evaluation) {
+  const EvaluationOptions& options = evaluation.options;
   Json json;
   json["pairs"] = evaluation.num_pairs;
   json["coverage"] = evaluation.coverage;
+  json["max_dt_s"] = Seconds(*options.max_dt_ns);
   json["truth_path_length"] = evaluation.truth_path_length;
   json["ate"] = StatisticsJson(evaluation.absolute);
   json["ate"]["percent_of_path"] = PercentOfPath(evaluation);
-  json["rpe_frames"] = RelativeJson(evaluation.relative_frames);
-  json["rpe_time"] = RelativeJson(evaluation.relative_time);
+  json["rpe_frames"] =
+      RelativeJson("frames", options.relative_delta_frames, evaluation.relative_frames);
+  json["rpe_time"] =
+      RelativeJson("seconds", Seconds(options.relative_delta_ns), evaluation.relative_time);
+  if (evaluation.relative_path) {
+    json["rpe_path"] =
+        RelativeJson("length", *options.relative_delta_path, *evaluation.relative_path);
+  }
   if (evaluation.kitti) json["kitti"] = KittiJson(*evaluation.kitti);
   if (evaluation.scale_drift) {
     json["scale_drift"] = {{"last_over_first", evaluation.scale_drift->last_over_first},
@@ -83,15 +107,21 @@ Json ToJson(const Evaluation& evaluation) {
 }
 
 std::string ToText(const Evaluation& evaluation) {
+  const EvaluationOptions& options = evaluation.options;
   std::string text =
       fmt::format("{:<22} {} pairs, {:.1f}% of the truth's poses, path {:.6g}\n", "compared",
                   evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
   text += StatisticsText("ATE", evaluation.absolute,
                          fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)).c_str());
-  text += StatisticsText("RPE, frame to frame", evaluation.relative_frames.translation, "");
-  text += StatisticsText("", evaluation.relative_frames.rotation_deg, " deg");
-  text += StatisticsText("RPE over 1 s", evaluation.relative_time.translation, "");
-  text += StatisticsText("", evaluation.relative_time.rotation_deg, " deg");
+  text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
+                                   options.relative_delta_frames == 1 ? "" : "s"),
+                       evaluation.relative_frames);
+  text += RelativeText(fmt::format("RPE over {:.6g} s", Seconds(options.relative_delta_ns)),
+                       evaluation.relative_time);
+  if (evaluation.relative_path) {
+    text += RelativeText(fmt::format("RPE over {:.6g} of path", *options.relative_delta_path),
+                         *evaluation.relative_path);
+  }
   return text + DriftText(evaluation);
 }
 

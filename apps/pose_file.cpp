@@ -1,7 +1,5 @@
 #include "apps/pose_file.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "orb/error.h"
@@ -15,6 +13,14 @@ constexpr TimeNs kSecond = 1'000'000'000;
 constexpr std::size_t kTumColumns = 8;
 constexpr std::size_t kKittiColumns = 12;
 
+TextLine FirstLine(const std::filesystem::path& file) {
+  const std::vector<TextLine> lines = ReadTextLines(file);
+  if (lines.empty()) throw Error(fmt::format("{}: holds no poses", file.string()));
+  return lines.front();
+}
+
+bool HasCommas(const TextLine& line) { return line.text.find(',') != std::string::npos; }
+
 }  // namespace
 
 PoseFile::PoseFile(const std::vector<SE3>& numbered) {
@@ -25,19 +31,24 @@ PoseFile::PoseFile(const std::vector<SE3>& numbered) {
 
 PoseSequence PoseFile::WithTimes(const std::vector<TimeNs>& times) const {
   if (has_times_) return poses_;
-  PoseSequence poses(poses_.begin(), poses_.begin() + std::min(poses_.size(), times.size()));
+  if (poses_.size() != times.size()) {
+    throw Error(fmt::format("{} poses, but {} times", poses_.size(), times.size()));
+  }
+  PoseSequence poses = poses_;
   for (std::size_t i = 0; i < poses.size(); ++i) poses[i].time_ns = times[i];
   return poses;
 }
 
+bool IsEurocPoseFile(const std::filesystem::path& file) { return HasCommas(FirstLine(file)); }
+
 PoseFile ReadPoseFile(const std::filesystem::path& file) {
-  const std::vector<TextLine> lines = ReadTextLines(file);
-  if (lines.empty()) throw Error(fmt::format("{}: holds no poses", file.string()));
-  const std::size_t columns = SplitFields(lines.front().text, ' ').size();
+  const TextLine line = FirstLine(file);
+  if (HasCommas(line)) return PoseFile(ReadEurocPoses(file));
+  const std::size_t columns = SplitFields(line.text, ' ').size();
   if (columns == kTumColumns) return PoseFile(ReadTum(file));
   if (columns == kKittiColumns) return PoseFile(ReadKittiPoses(file));
   throw Error(fmt::format("{}{} columns; TUM format has {}, KITTI format {}",
-                          LinePrefix(file, lines.front()), columns, kTumColumns, kKittiColumns));
+                          LinePrefix(file, line), columns, kTumColumns, kKittiColumns));
 }
 
 }  // namespace corvo

@@ -2,14 +2,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vo/trajectory.h"
 
 namespace corvo {
 
-/// Poses as a file has them: with times (TUM format, 8 columns) or numbered by row (KITTI format,
-/// 12 columns).
+/// Poses as a file has them: with times, or numbered by row.
 class PoseFile {
  public:
   explicit PoseFile(PoseSequence timed) : poses_(std::move(timed)), has_times_(true) {}
@@ -18,8 +18,8 @@ class PoseFile {
   bool has_times() const { return has_times_; }
   std::size_t size() const { return poses_.size(); }
 
-  /// The poses with their own times, or else row i with the i-th of `times`. Rows and times beyond
-  /// the shorter of the two are left out.
+  /// The poses with their own times, or else row i with the i-th of `times`. Throws corvo::Error
+  /// naming both counts where there are not as many times as rows.
   PoseSequence WithTimes(const std::vector<TimeNs>& times) const;
 
   /// The poses with their own times, or else row i at i seconds.
@@ -30,7 +30,11 @@ class PoseFile {
   bool has_times_ = false;
 };
 
-/// Recognises the format by the number of columns. Throws corvo::Error naming file and line.
+/// Recognises the format: commas (EuRoC, time in ns), 8 columns (TUM, time in s) or 12 columns
+/// (KITTI, no times). Throws corvo::Error naming file and line.
 PoseFile ReadPoseFile(const std::filesystem::path& file);
+
+/// Whether the file's first line of poses is separated by commas, as EuRoC's and TUM-VI's are.
+bool IsEurocPoseFile(const std::filesystem::path& file);
 
 }  // namespace corvo

@@ -53,7 +53,7 @@ Outcome Run(const RunArguments& arguments) {
   RunInputs inputs = ReadInputs(arguments);
   OutputFolder output(arguments.output);
   const RunRecord record = ProcessImages(inputs, arguments.threads);
-  const RunSummary summary = Summarize(inputs, record.trajectory, record.odometry.map());
+  const RunSummary summary = Summarize(arguments, inputs, record.trajectory, record.odometry.map());
   WriteResults(arguments, inputs, record, summary, output);
   fmt::print("{}", SummaryText(arguments, summary));
   return summary.outcome;
@@ -71,7 +71,13 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
   command->add_option("--camera", arguments->camera, "camera file; instead of the dataset's own");
-  command->add_option("--gt", arguments->truth, "ground truth, TUM or KITTI format");
+  command->add_option("--gt", arguments->truth,
+                      "ground truth in TUM, KITTI or EuRoC format (default: that of the dataset's "
+                      "layout, if it is there), or 'none'");
+  command
+      ->add_option("--max-dt", arguments->max_dt_s,
+                   "seconds between poses that are compared (default: half a frame)")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
       ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--threads", arguments->threads, "threads; never changes the result")

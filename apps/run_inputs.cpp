@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/pose_file.h"
 #include "apps/shipped_cameras.h"
 #include "orb/error.h"
 #include "vo/config.h"
-#include "vo/decimal_time.h"
-#include "vo/evaluation.h"
 
 namespace corvo {
 namespace {
@@ -38,25 +35,10 @@ double FrameRate(const RunArguments& arguments, const std::optional<CameraFile>&
   throw Error(message);
 }
 
-/// Ground truth that no picture can be compared with is another sequence's.
-void CheckOverlap(const PoseSequence& truth, const std::vector<TimeNs>& frame_times,
-                  const std::filesystem::path& file) {
-  const TimeNs max_dt_ns = EvaluationOptions{}.max_dt_ns;
-  PoseSequence frames;
-  for (const TimeNs time_ns : frame_times) frames.push_back({time_ns, SE3()});
-  if (!Associate(frames, truth, max_dt_ns).empty()) return;
-  throw Error(fmt::format("{}: no pose within {} s of any picture, whose times are {} to {} s",
-                          file.string(), 1e-9 * static_cast<double>(max_dt_ns),
-                          FormatSeconds(frame_times.front()), FormatSeconds(frame_times.back())));
-}
-
-PoseSequence ReadTruth(const RunArguments& arguments, const ImageList& list) {
-  if (arguments.truth.empty()) return {};
-  std::vector<TimeNs> frame_times;
-  for (const TimedFile& image : list.images) frame_times.push_back(image.time_ns);
-  PoseSequence truth = ReadPoseFile(arguments.truth).WithTimes(frame_times);
-  CheckOverlap(truth, frame_times, arguments.truth);
-  return truth;
+std::vector<TimeNs> FrameTimes(const ImageList& list) {
+  std::vector<TimeNs> times;
+  for (const TimedFile& image : list.images) times.push_back(image.time_ns);
+  return times;
 }
 
 }  // namespace
@@ -77,7 +59,7 @@ RunInputs ReadInputs(const RunArguments& arguments) {
   if (!named && !list.camera) ThrowNoCamera(arguments, image.size());
   const Camera camera = named ? named->camera : Camera(*list.camera);
   CheckSize(image, camera, first);
-  PoseSequence truth = ReadTruth(arguments, list);
+  RunTruth truth = ReadRunTruth(arguments.truth, arguments.input, FrameTimes(list));
   return {options, camera, ImageSource(std::move(list)), std::move(truth)};
 }
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "apps/image_source.h"
+#include "apps/run_truth.h"
 #include "vo/camera.h"
 #include "vo/options.h"
-#include "vo/trajectory.h"
 
 namespace corvo {
 
@@ -16,7 +16,8 @@ struct RunArguments {
   std::filesystem::path output;
   std::filesystem::path config;
   std::filesystem::path camera;
-  std::filesystem::path truth;
+  std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
+  std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
   std::optional<double> frame_rate_hz;
   int threads = 1;
 };
@@ -26,7 +27,7 @@ struct RunInputs {
   OdometryOptions options;
   Camera camera;
   ImageSource source;
-  PoseSequence truth;  ///< Empty if none was given.
+  RunTruth truth;
 };
 
 /// Reads and checks all of it, and that the first picture has the camera's size. Throws

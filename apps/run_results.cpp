@@ -39,7 +39,7 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
   for (PoseSequence& segment : plot.segments) {
     segment = MovePoses(summary.evaluation->truth_from_estimate, std::move(segment));
   }
-  for (const TimedPose& pose : inputs.truth) {
+  for (const TimedPose& pose : inputs.truth.poses) {
     if (pose.time_ns < trajectory.frames.front().time_ns) continue;
     if (pose.time_ns <= trajectory.frames.back().time_ns) plot.truth.push_back(pose);
   }

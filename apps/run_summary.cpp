@@ -1,6 +1,7 @@
 #include "apps/run_summary.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -55,9 +56,10 @@ std::string ReasonsText(const RunSummary& summary) {
 }
 
 /// None where too little is posed to be compared.
-std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth) {
+std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth,
+                                      const EvaluationOptions& options) {
   try {
-    return Evaluate(estimate, truth);
+    return Evaluate(estimate, truth, options);
   } catch (const Error& error) {
     spdlog::warn("no evaluation: {}", error.what());
     return std::nullopt;
@@ -66,7 +68,8 @@ std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSe
 
 }  // namespace
 
-RunSummary Summarize(const RunInputs& inputs, const Trajectory& trajectory, const Map& map) {
+RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
+                     const Trajectory& trajectory, const Map& map) {
   RunSummary summary;
   summary.outcome = JudgeOutcome(trajectory);
   summary.num_frames = static_cast<int>(trajectory.frames.size());
@@ -76,8 +79,10 @@ RunSummary Summarize(const RunInputs& inputs, const Trajectory& trajectory, cons
   summary.num_landmarks = CountLandmarks(map);
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
-  if (!inputs.truth.empty()) {
-    summary.evaluation = TryEvaluate(trajectory.PosedFrames(), inputs.truth);
+  if (!inputs.truth.poses.empty()) {
+    EvaluationOptions options;
+    if (arguments.max_dt_s) options.max_dt_ns = std::llround(1e9 * *arguments.max_dt_s);
+    summary.evaluation = TryEvaluate(trajectory.PosedFrames(), inputs.truth.poses, options);
   }
   return summary;
 }
@@ -98,6 +103,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["landmarks"] = summary.num_landmarks;
   json["states"] = CountsJson(summary.states);
   json["reasons"] = CountsJson(summary.reasons);
+  if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
   return json;
 }

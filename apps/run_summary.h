@@ -26,7 +26,8 @@ struct RunSummary {
   std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
 };
 
-RunSummary Summarize(const RunInputs& inputs, const Trajectory& trajectory, const Map& map);
+RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
+                     const Trajectory& trajectory, const Map& map);
 
 /// summary.json
 nlohmann::ordered_json ToJson(const RunArguments& arguments, const RunInputs& inputs,

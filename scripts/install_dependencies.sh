@@ -4,15 +4,17 @@
 #
 #   install_dependencies.sh [--development]
 #
-#   --development   also clang 14, clang-format 14 and clang-tidy 14, as continuous integration uses
+#   --development   also clang 14, clang-format 14 and clang-tidy 14, and in the folder .venv evo
+#                   (PyPI), whose measures the tests compare with; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
 packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libcli11-dev
   libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev gnuplot-nox)
-development=(clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14)
+development=(clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3-venv)
+evo=evo==1.38.1
 
-usage() { sed -n '2,7s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'
@@ -43,9 +45,19 @@ as_root() {
   fi
 }
 
+install_evo() {
+  local venv
+  venv=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/.venv
+  if [ "$("$venv/bin/pip" freeze 2>/dev/null | grep '^evo==')" = "$evo" ]; then return; fi
+  echo "Installing $evo in .venv"
+  /usr/bin/python3 -m venv --clear "$venv"
+  "$venv/bin/pip" install --quiet --disable-pip-version-check "$evo"
+}
+
+with_evo=false
 for argument in "$@"; do
   case $argument in
-    --development) packages+=("${development[@]}") ;;
+    --development) packages+=("${development[@]}") with_evo=true ;;
     -h | --help) usage; exit 0 ;;
     *) echo "install_dependencies.sh: unknown argument $argument" >&2; usage >&2; exit 1 ;;
   esac
@@ -58,11 +70,11 @@ for package in "${packages[@]}"; do
 done
 if [ ${#missing[@]} -eq 0 ]; then
   echo "All ${#packages[@]} packages that corvo needs are installed."
-  exit 0
+else
+  echo "Installing ${#missing[@]} of ${#packages[@]} packages, with what they depend on: ${missing[*]}"
+  as_root apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q -o Dpkg::Use-Pty=0 \
+    --no-install-recommends \
+    "${missing[@]}"
 fi
-
-echo "Installing ${#missing[@]} of ${#packages[@]} packages, with what they depend on: ${missing[*]}"
-as_root apt-get update -qq
-as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q -o Dpkg::Use-Pty=0 \
-  --no-install-recommends \
-  "${missing[@]}"
+if $with_evo; then install_evo; fi

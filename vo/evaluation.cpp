@@ -177,6 +177,18 @@ Alignment ParseAlignment(std::string_view name) {
   throw Error(fmt::format("alignment is \"{}\"; allowed is sim3, se3, scale or none", name));
 }
 
+TimeNs HalfFrame(const PoseSequence& poses) {
+  constexpr TimeNs kWithoutFrames = 20'000'000;
+  std::vector<TimeNs> steps;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    steps.push_back(poses[i].time_ns - poses[i - 1].time_ns);
+  }
+  if (steps.empty()) return kWithoutFrames;
+  const auto median = steps.begin() + steps.size() / 2;
+  std::nth_element(steps.begin(), median, steps.end());
+  return *median / 2;
+}
+
 std::vector<PosePair> Associate(const PoseSequence& estimate, const PoseSequence& truth,
                                 TimeNs max_dt_ns) {
   std::map<int, int> estimate_of_truth;
@@ -262,6 +274,20 @@ RelativeError RelativeErrorOverTime(const std::vector<PosePair>& aligned_pairs, 
   return SummariseMotions(aligned_pairs, motions);
 }
 
+RelativeError RelativeErrorOverPath(const std::vector<PosePair>& aligned_pairs, double delta) {
+  CheckRange("delta", delta, std::numeric_limits<double>::min(),
+             std::numeric_limits<double>::max());
+  const std::vector<double> path = PathTo(aligned_pairs, &PosePair::truth_from_camera);
+  std::vector<std::pair<int, int>> motions;
+  int from = 0;
+  for (int to = 1; to < static_cast<int>(aligned_pairs.size()); ++to) {
+    if (path[to] - path[from] < delta) continue;
+    motions.emplace_back(from, to);
+    from = to;
+  }
+  return SummariseMotions(aligned_pairs, motions);
+}
+
 std::optional<KittiDrift> ComputeKittiDrift(const std::vector<PosePair>& aligned_pairs) {
   const std::vector<double> path = PathTo(aligned_pairs, &PosePair::truth_from_camera);
   StretchSum total;
@@ -314,22 +340,29 @@ double PathLength(const PoseSequence& poses) {
 
 Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
                     const EvaluationOptions& options) {
-  const std::vector<PosePair> pairs = Associate(estimate, truth, options.max_dt_ns);
+  const TimeNs max_dt_ns = options.max_dt_ns.value_or(HalfFrame(estimate));
+  const std::vector<PosePair> pairs = Associate(estimate, truth, max_dt_ns);
   if (pairs.empty()) {
     throw Error(fmt::format("no pose of {} lies within {} s of one of the truth's {}",
-                            estimate.size(), 1e-9 * static_cast<double>(options.max_dt_ns),
-                            truth.size()));
+                            estimate.size(), 1e-9 * static_cast<double>(max_dt_ns), truth.size()));
   }
   Evaluation evaluation;
+  evaluation.options = options;
+  evaluation.options.max_dt_ns = max_dt_ns;
   evaluation.num_pairs = static_cast<int>(pairs.size());
-  evaluation.coverage = Coverage(estimate, truth, options.max_dt_ns);
+  evaluation.coverage = Coverage(estimate, truth, max_dt_ns);
   evaluation.truth_path_length = PathTo(pairs, &PosePair::truth_from_camera).back();
   evaluation.truth_from_estimate = Align(pairs, options.alignment);
   evaluation.aligned_pairs = MoveEstimates(evaluation.truth_from_estimate, pairs);
   evaluation.absolute = Summarise(PositionErrors(evaluation.aligned_pairs));
-  evaluation.relative_frames = RelativeErrorOverFrames(evaluation.aligned_pairs, 1);
+  evaluation.relative_frames =
+      RelativeErrorOverFrames(evaluation.aligned_pairs, options.relative_delta_frames);
   evaluation.relative_time =
       RelativeErrorOverTime(evaluation.aligned_pairs, options.relative_delta_ns);
+  if (options.relative_delta_path) {
+    evaluation.relative_path =
+        RelativeErrorOverPath(evaluation.aligned_pairs, *options.relative_delta_path);
+  }
   evaluation.kitti = ComputeKittiDrift(evaluation.aligned_pairs);
   evaluation.scale_drift = ComputeScaleDrift(evaluation.aligned_pairs);
   return evaluation;

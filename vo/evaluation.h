@@ -18,6 +18,10 @@ struct PosePair {
   SE3 truth_from_camera;
 };
 
+/// Half the median time from one pose to the next, which is half a frame for most estimates; 20 ms
+/// for fewer than two poses.
+TimeNs HalfFrame(const PoseSequence& poses);
+
 /// Pairs every estimate with the truth nearest in time, at most `max_dt_ns` away (of two equally
 /// near, the earlier). Where several estimates meet one truth, the nearest keeps it (or the
 /// earlier). Ascending in time.
@@ -58,17 +62,23 @@ ErrorStatistics Summarise(std::vector<double> errors);
 /// Distances between estimated and true positions, in pair order.
 std::vector<double> PositionErrors(const std::vector<PosePair>& aligned_pairs);
 
-/// Errors of relative motion (RPE): of (true motion)⁻¹ (estimated motion), for every pair and the
-/// one `delta` later, overlapping.
+/// Errors of relative motion (RPE): of (true motion)⁻¹ (estimated motion) between two pairs.
+/// Rotations neither depend on the alignment nor on the estimate's scale.
 struct RelativeError {
   ErrorStatistics translation;  ///< Unit of the truth.
   ErrorStatistics rotation_deg;
 };
 
-/// Over `delta` pairs, at least 1. The estimates must have the truth's scale.
+/// From every pair to the one `delta` later, at least 1, overlapping (evo: `--delta_unit f
+/// --all_pairs`). The estimates must have the truth's scale.
 RelativeError RelativeErrorOverFrames(const std::vector<PosePair>& aligned_pairs, int delta);
-/// Over `delta_ns` > 0: to the first pair at least that much later, if at most 1.5 times as much.
+/// From every pair to the first at least `delta_ns` > 0 later, if at most 1.5 times as much;
+/// overlapping.
 RelativeError RelativeErrorOverTime(const std::vector<PosePair>& aligned_pairs, TimeNs delta_ns);
+/// Over stretches of the true path, one after the other: each ends at the first pair that lies at
+/// least `delta` > 0 along the path from its start, and there the next starts (evo: `--delta_unit m
+/// --pairs_from_reference`).
+RelativeError RelativeErrorOverPath(const std::vector<PosePair>& aligned_pairs, double delta);
 
 /// Drift over stretches of a fixed length, as the KITTI odometry benchmark defines it.
 struct StretchDrift {
@@ -106,25 +116,29 @@ double PathLength(const PoseSequence& poses);
 
 struct EvaluationOptions {
   Alignment alignment = Alignment::kSim3;
-  TimeNs max_dt_ns = 20'000'000;
+  std::optional<TimeNs> max_dt_ns;  ///< Between poses that are compared; none is HalfFrame().
+  int relative_delta_frames = 1;
   TimeNs relative_delta_ns = 1'000'000'000;
+  std::optional<double> relative_delta_path;  ///< Unit of the truth.
 };
 
 /// All measures of one estimate. Lengths are in the truth's unit.
 struct Evaluation {
+  EvaluationOptions options;  ///< As they were; max_dt_ns is always set.
   int num_pairs = 0;
   double coverage = 0;           ///< See Coverage().
   double truth_path_length = 0;  ///< Through the paired poses.
   Sim3 truth_from_estimate;
   std::vector<PosePair> aligned_pairs;
-  ErrorStatistics absolute;       ///< ATE: positions, after alignment.
-  RelativeError relative_frames;  ///< From one pair to the next.
-  RelativeError relative_time;    ///< Over relative_delta_ns.
+  ErrorStatistics absolute;                    ///< ATE: positions, after alignment.
+  RelativeError relative_frames;               ///< Over relative_delta_frames.
+  RelativeError relative_time;                 ///< Over relative_delta_ns.
+  std::optional<RelativeError> relative_path;  ///< Over relative_delta_path.
   std::optional<KittiDrift> kitti;
   std::optional<ScaleDrift> scale_drift;
 };
 
-/// Throws corvo::Error where nothing can be said: no pair of poses within max_dt_ns, or no
+/// Throws corvo::Error where nothing can be said: no pair of poses near in time, or no
 /// alignment.
 Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
                     const EvaluationOptions& options = {});

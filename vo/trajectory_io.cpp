@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -90,6 +91,8 @@ TimedPose ParseEuroc(const Row& row) {
   return {ParseNanoseconds(row.fields[0], row.where), SE3(rotation, position)};
 }
 
+bool IsNan(const std::string& field) { return field == "NaN" || field == "nan"; }
+
 void WriteText(const fs::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text << std::flush;
@@ -101,6 +104,15 @@ void WriteText(const fs::path& file, const std::string& text) {
 PoseSequence ReadTum(const fs::path& file) {
   PoseSequence poses;
   for (const Row& row : ReadRows(file, ' ')) Append(ParseTum(row), row.where, poses);
+  return poses;
+}
+
+PoseSequence ReadTumWithGaps(const fs::path& file) {
+  PoseSequence poses;
+  for (const Row& row : ReadRows(file, ' ')) {
+    if (std::any_of(row.fields.begin(), row.fields.end(), IsNan)) continue;
+    Append(ParseTum(row), row.where, poses);
+  }
   return poses;
 }
 
@@ -153,10 +165,21 @@ PoseSequence WithTimes(const std::vector<SE3>& world_from_camera,
   return poses;
 }
 
-PoseSequence ReadEurocBodyPoses(const fs::path& file) {
+PoseSequence ReadEurocPoses(const fs::path& file) {
   PoseSequence poses;
   for (const Row& row : ReadRows(file, ',')) Append(ParseEuroc(row), row.where, poses);
   return poses;
+}
+
+void WriteEurocPoses(const fs::path& file, const PoseSequence& poses) {
+  std::string text = "#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n";
+  for (const TimedPose& pose : poses) {
+    const Eigen::Vector3d& t = pose.world_from_camera.translation();
+    const Eigen::Quaterniond& q = pose.world_from_camera.rotation().quaternion();
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", pose.time_ns, t.x(), t.y(), t.z(), q.w(),
+                        q.x(), q.y(), q.z());
+  }
+  WriteText(file, text);
 }
 
 }  // namespace corvo

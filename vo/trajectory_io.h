@@ -18,6 +18,10 @@ namespace corvo {
 /// errors.
 PoseSequence ReadTum(const std::filesystem::path& file);
 
+/// As ReadTum, but lines that have NaN for a pose, as TUM-mono's groundtruthSync.txt has between
+/// its two ends, are left out.
+PoseSequence ReadTumWithGaps(const std::filesystem::path& file);
+
 /// Seconds with 9 decimals; the other numbers in their shortest form that reads back the same.
 void WriteTum(const std::filesystem::path& file, const PoseSequence& poses);
 
@@ -32,8 +36,9 @@ std::vector<TimeNs> ReadKittiTimes(const std::filesystem::path& file);
 PoseSequence WithTimes(const std::vector<SE3>& world_from_camera,
                        const std::vector<TimeNs>& times_ns);
 
-/// EuRoC's state_groundtruth_estimate0/data.csv: "time_ns, px, py, pz, qw, qx, qy, qz, ..." a line;
-/// `world_from_camera` of the result is world_from_body.
-PoseSequence ReadEurocBodyPoses(const std::filesystem::path& file);
+/// EuRoC: "time_ns, px, py, pz, qw, qx, qy, qz, ..." a line; further columns are not read. In
+/// EuRoC's own state_groundtruth_estimate0/data.csv the poses are world_from_body.
+PoseSequence ReadEurocPoses(const std::filesystem::path& file);
+void WriteEurocPoses(const std::filesystem::path& file, const PoseSequence& poses);
 
 }  // namespace corvo

@@ -18,4 +18,8 @@ CommandResult RunCorvo(const std::vector<std::string>& arguments);
 /// As RunCorvo, with a PATH in which no other program is found.
 CommandResult RunCorvoAlone(const std::vector<std::string>& arguments);
 
+/// Runs any program, with the variables of `environment` ("NAME=value") and no others.
+CommandResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
+                         std::vector<std::string> environment);
+
 }  // namespace corvo::test

@@ -107,6 +107,66 @@ TEST_F(Eval, WantsTimesForOneKittiFile) {
   ExpectError(RunCorvo({"eval", estimate_, kitti_, "--times", times_}), "2 times for 12 poses");
 }
 
+TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
+  WriteText(folder_ / "result/trajectory.tum", estimate_text_);
+  WriteText(folder_ / "rgbd/groundtruth.txt", truth_text_);
+  EXPECT_EQ(Measure({folder_ / "result", folder_ / "rgbd"})["pairs"], kCount);
+  WriteText(folder_ / "kitti/poses/07.txt", kitti_text_);
+  WriteText(folder_ / "kitti/sequences/07/times.txt", times_text_);
+  const nlohmann::json report = Measure({folder_ / "result", folder_ / "kitti/sequences/07"});
+  EXPECT_EQ(report["pairs"], kCount);
+  EXPECT_EQ(report["truth"], (folder_ / "kitti/poses/07.txt").string());
+  ExpectError(RunCorvo({"eval", estimate_, folder_ / "result"}), "result: no ground truth where");
+}
+
+TEST_F(Eval, ComparesWhatIsWithinHalfAFrame) {
+  std::string
+      late;  // 0.49 s after poses 0 to 7, 0.4 s before poses 9 to 11; 8 is 0.51 s from both.
+  for (int i = 0; i < kCount - 1; ++i) {
+    late += fmt::format("{} {} {} {} 0 0 0 1\n", i < 8 ? i + 0.49 : i + 0.6, i, i % 3, i % 2);
+  }
+  WriteText(truth_, late);
+  EXPECT_EQ(Measure({estimate_, truth_})["max_dt_s"], 0.5);
+  EXPECT_EQ(Measure({estimate_, truth_})["pairs"], kCount - 1);
+  EXPECT_EQ(Measure({estimate_, truth_, "--max-dt", "0.45"})["pairs"], 3);
+}
+
+TEST_F(Eval, SelectsFramesByTheirState) {
+  WriteText(folder_ / "result/trajectory.tum", estimate_text_);
+  std::string table = "index,timestamp,state\n";
+  for (int i = 0; i < kCount; ++i) {
+    table += fmt::format("{},{}.000000000,{}\n", i, i, i < 4 ? "initializing" : "tracking");
+  }
+  WriteText(folder_ / "result/frames.csv", table);
+  const fs::path run = folder_ / "result";
+  EXPECT_EQ(Measure({run, truth_, "--states", "tracking"})["pairs"], kCount - 4);
+  EXPECT_EQ(Measure({run, truth_, "--states", "tracking,initializing"})["pairs"], kCount);
+  ExpectError(RunCorvo({"eval", run, truth_, "--states", "flying"}), "\"flying\" is no state");
+  ExpectError(RunCorvo({"eval", estimate_, truth_, "--states", "tracking"}), "frames.csv");
+  WriteText(folder_ / "result/frames.csv", "index\n");
+  ExpectError(RunCorvo({"eval", run, truth_, "--states", "tracking"}), "no column timestamp");
+}
+
+TEST_F(Eval, MeasuresOverFramesSecondsAndMetres) {
+  const nlohmann::json report =
+      Measure({estimate_, truth_, "--rpe-frames", "3", "--rpe-seconds", "5", "--rpe-metres", "4"});
+  EXPECT_EQ(report["rpe_frames"]["frames"], 3);
+  EXPECT_EQ(report["rpe_frames"]["translation"]["count"], kCount - 3);
+  EXPECT_EQ(report["rpe_time"]["seconds"], 5.0);
+  EXPECT_EQ(report["rpe_time"]["rotation_deg"]["count"], kCount - 5);
+  EXPECT_EQ(report["rpe_path"]["length"], 4.0);
+  EXPECT_FALSE(Measure({estimate_, truth_}).contains("rpe_path"));
+}
+
+TEST_F(Eval, ReadsEurocFormat) {
+  std::string euroc;
+  for (int i = 0; i < kCount; ++i) {
+    euroc += fmt::format("{}000000000,{},{},{},1,0,0,0\n", i, i, i % 3, i % 2);
+  }
+  WriteText(folder_ / "estimate.csv", euroc);
+  EXPECT_NEAR(Measure({folder_ / "estimate.csv", truth_})["ate"]["rmse"], 0.0, 1e-9);
+}
+
 TEST_F(Eval, NamesBadLines) {
   WriteText(estimate_, truth_text_ + "99 1 2 3\n");
   ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum:13: ");

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr int kBadInput = 1;
@@ -81,7 +82,28 @@ TEST_F(Run, WithoutAPoseHasNothingToEvaluate) {
 
 TEST_F(Run, RefusesTheTruthOfAnotherTime) {
   WriteText(folder_ / "gt.txt", "1000 0 0 0 0 0 0 1\n");
-  ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: no pose within 0.02 s");
+  ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: no pose within 0.016666666 s");
+}
+
+TEST_F(Run, RefusesTruthOfAnotherNumberOfFrames) {
+  WriteText(folder_ / "gt.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: 1 poses for a sequence of 5 frames");
+}
+
+TEST_F(Run, FindsTheTruthInTheDatasetsLayout) {
+  WriteTum(folder_ / "tum", 2);
+  const std::vector<std::string> arguments = {"run", folder_ / "tum", "--camera", camera_,
+                                              "-o",  result_};
+  const fs::path truth = folder_ / "tum/groundtruth.txt";
+  WriteText(truth, "1305031102.18 0 0 0 0 0 0 1\n");
+  RunCorvo(arguments);
+  EXPECT_EQ(Summary()["truth"], truth.string());
+  WriteText(truth, "7 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(RunCorvo(arguments).err, HasSubstr("corvo: warning: ground truth left out: "));
+  EXPECT_FALSE(Summary().contains("truth"));
+  std::vector<std::string> none = arguments;
+  none.insert(none.end(), {"--gt", "none"});
+  EXPECT_THAT(RunCorvo(none).err, Not(HasSubstr("ground truth")));
 }
 
 TEST_F(Run, AccountsForEveryFrame) {

@@ -41,7 +41,7 @@ SE3 EurocBodyFromCamera() {
 }
 
 PoseSequence ReadEurocTruth(const fs::path& file) {
-  PoseSequence truth = ReadEurocBodyPoses(file);
+  PoseSequence truth = ReadEurocPoses(file);
   for (TimedPose& pose : truth) {
     pose.world_from_camera = pose.world_from_camera * EurocBodyFromCamera();
   }

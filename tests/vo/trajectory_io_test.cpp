@@ -148,14 +148,39 @@ TEST(KittiTest, TimesAndPosesMustBeAsMany) {
 
 TEST(EurocTest, QuaternionsHaveTheirRealPartFirst) {
   const test::TemporaryDir dir;
-  const PoseSequence poses = ReadEurocBodyPoses(
+  const PoseSequence poses = ReadEurocPoses(
       dir.Write("data.csv", "#timestamp, p_x\n1403636584313555479,1,2,3,0.8,0.6,0,0,9,9\n"));
   ASSERT_EQ(poses.size(), 1);
   EXPECT_EQ(poses[0].time_ns, 1403636584313555479);
   EXPECT_THAT(poses[0].world_from_camera.data(),
               IsMatrixNear((SE3::Data() << 0.6, 0, 0, 0.8, 1, 2, 3).finished(), 1e-15));
-  EXPECT_THAT([&] { ReadEurocBodyPoses(dir.Write("bad.csv", "1,2,3\n")); },
+  EXPECT_THAT([&] { ReadEurocPoses(dir.Write("bad.csv", "1,2,3\n")); },
               ThrowsError("bad.csv:1: 3 fields"));
+}
+
+TEST(EurocTest, RoundTrips) {
+  const test::TemporaryDir dir;
+  const PoseSequence poses = RandomPoses();
+  WriteEurocPoses(dir.path() / "a.csv", poses);
+  EXPECT_THAT(test::ReadFile(dir.path() / "a.csv"),
+              ::testing::StartsWith("#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x []"));
+  const PoseSequence back = ReadEurocPoses(dir.path() / "a.csv");
+  ASSERT_EQ(back.size(), poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(back[i].time_ns, poses[i].time_ns);
+    EXPECT_THAT(back[i].world_from_camera, IsPoseNear(poses[i].world_from_camera, 1e-13, 0.0));
+  }
+}
+
+TEST(TumTest, WithGapsLeavesOutWhatIsNoNumber) {
+  const test::TemporaryDir dir;
+  const auto file = dir.Write("a.txt",
+                              "1 0 0 0 0 0 0 1\n2 NaN NaN NaN NaN NaN NaN NaN\n"
+                              "3 nan nan nan nan nan nan nan\n4 5 0 0 0 0 0 1\n");
+  const PoseSequence poses = ReadTumWithGaps(file);
+  ASSERT_EQ(poses.size(), 2);
+  EXPECT_EQ(poses[1].world_from_camera.translation().x(), 5);
+  EXPECT_THAT([&] { ReadTumWithGaps(dir.Write("b.txt", "1 0 0\n")); }, ThrowsError("b.txt:1: 3"));
 }
 
 TEST(TrajectoryDataTest, TruthOfTheDatasetsReads) {
@@ -165,8 +190,8 @@ TEST(TrajectoryDataTest, TruthOfTheDatasetsReads) {
   EXPECT_EQ(kitti.size(), 300);
   EXPECT_EQ(ReadTum(test::DataPath("7scenes/redkitchen/groundtruth.txt")).size(), 500);
   EXPECT_FALSE(ReadTum(test::DataPath("tum/rgbd_dataset_freiburg1_rpy/groundtruth.txt")).empty());
-  const auto body = ReadEurocBodyPoses(
-      test::DataPath("euroc/MH_01_easy/mav0/state_groundtruth_estimate0/data.csv"));
+  const auto body =
+      ReadEurocPoses(test::DataPath("euroc/MH_01_easy/mav0/state_groundtruth_estimate0/data.csv"));
   EXPECT_GE(body.size(), 140);
 }
 
