@@ -62,10 +62,10 @@ Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int thr
       noise_{options.bundle_adjuster.keypoint_sigma_px, extractor_.octave_scales()},
       initializer_(options.initializer, noise_, camera) {}
 
-FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns) {
+FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
   times_ = StageTimes();
-  Frame frame = ExtractFrame(image, time_ns);
+  Frame frame = ExtractFrame(image, time_ns, mask);
   const TrackingResult tracking = Track(frame);
   if (tracking.reason != Reason::kNone) return Initialize(std::move(frame), tracking);
   if (NeedsKeyframe(frame)) ExtendMap(frame);
@@ -102,10 +102,10 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
   }
 }
 
-Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
+Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   const StageTimer timer(times_.extract_ms);
   const int index = static_cast<int>(records_.size());
-  Frame frame = MakeFrame(index, time_ns, extractor_.Extract(image), camera_);
+  Frame frame = MakeFrame(index, time_ns, extractor_.Extract(image, mask), camera_);
   Record record;
   record.result.index = index;
   record.result.time_ns = time_ns;

@@ -34,9 +34,10 @@ class Odometry {
   /// Throws corvo::Error on options out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
 
-  /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before. Throws
-  /// corvo::Error otherwise, and is then as it was before the call.
-  FrameResult Process(const cv::Mat& image, TimeNs time_ns);
+  /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before; `mask` is
+  /// empty or of the image's size, 8-bit: features are found where it is not 0. Throws corvo::Error
+  /// otherwise, and is then as it was before the call.
+  FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
   /// Every frame so far, with poses as the map knows them now: later adjustment moves earlier
   /// poses, and frames seen before initialisation get poses afterwards.
@@ -67,7 +68,7 @@ class Odometry {
   };
 
   void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
-  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns);
+  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
 
   /// Locates the frame in the map, if there is one.
   TrackingResult Track(Frame& frame);
