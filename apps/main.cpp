@@ -8,6 +8,8 @@
 
 #include "apps/config.h"
 #include "apps/eval.h"
+#include "apps/features.h"
+#include "apps/match.h"
 #include "apps/run.h"
 #include "apps/synth.h"
 
@@ -52,6 +54,8 @@ int Main(int argc, char** argv) {
   AddRunCommand(app, exit_code);
   AddEvalCommand(app);
   AddSynthCommand(app);
+  AddFeaturesCommand(app);
+  AddMatchCommand(app);
   AddConfigCommand(app);
   try {
     app.parse(argc, argv);

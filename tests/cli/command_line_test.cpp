@@ -23,14 +23,16 @@ TEST_P(Help, HasRunnableExamples) {
               AllOf(HasSubstr("Usage"), HasSubstr("\n  corvo " + std::string(GetParam()) + " ")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help, testing::Values("run", "eval", "synth", "config"),
+INSTANTIATE_TEST_SUITE_P(Commands, Help,
+                         testing::Values("run", "eval", "synth", "features", "match", "config"),
                          [](const auto& param_info) { return std::string(param_info.param); });
 
 TEST(CommandLine, HelpListsTheCommands) {
   const CommandResult result = RunCorvo({"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("run"), HasSubstr("eval"), HasSubstr("synth"),
-                                HasSubstr("config"), HasSubstr("Examples:")));
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("run"), HasSubstr("eval"), HasSubstr("synth"), HasSubstr("features"),
+                    HasSubstr("match"), HasSubstr("config"), HasSubstr("Examples:")));
 }
 
 TEST(CommandLine, TellsItsVersion) {
@@ -58,6 +60,11 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"eval", "one.tum"},
                     std::vector<std::string>{"eval", "none.tum", "none.tum"},
                     std::vector<std::string>{"eval", "a", "b", "--align", "sideways"},
+                    std::vector<std::string>{"features", "-o", "out"},
+                    std::vector<std::string>{"features", "none.png", "-o", "out"},
+                    std::vector<std::string>{"features", "none.png"},
+                    std::vector<std::string>{"match", "a.png", "-o", "out"},
+                    std::vector<std::string>{"match", "a.png", "b.png", "-o", "out"},
                     std::vector<std::string>{"config", "no/such/file.yaml"}));
 
 }  // namespace

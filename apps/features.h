@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace corvo {
+
+/// `corvo features IMAGE... -o DIR`: the features of pictures, drawn and as tables. Its callback
+/// throws corvo::Error.
+void AddFeaturesCommand(CLI::App& app);
+
+}  // namespace corvo
