@@ -178,14 +178,16 @@ double ShadeEdge(const std::vector<Candidate>& candidates, const PixelRays& pixe
 class Picture {
  public:
   Picture(const Scene& scene, const Camera& camera, const std::vector<Ray>& corner_rays,
-          const SE3& scene_from_camera)
+          const SE3& scene_from_camera, const std::vector<Quad>& more)
       : scene_(scene), camera_(camera), corner_rays_(corner_rays) {
     const Eigen::Matrix4d matrix = scene_from_camera.matrix();
     const Eigen::Matrix3d camera_from_scene = matrix.topLeftCorner<3, 3>().transpose();
     const RayBox all = Bounds(0, 0, camera.width(), camera.height());
-    for (const Quad& quad : scene.quads) {
-      const auto view = MakeView(scene, quad, camera_from_scene, matrix.topRightCorner<3, 1>());
-      if (view && all.MayMeet(*view)) views_.push_back(*view);
+    for (const std::vector<Quad>* quads : {&scene.quads, &more}) {
+      for (const Quad& quad : *quads) {
+        const auto view = MakeView(scene, quad, camera_from_scene, matrix.topRightCorner<3, 1>());
+        if (view && all.MayMeet(*view)) views_.push_back(*view);
+      }
     }
   }
 
@@ -299,18 +301,20 @@ Renderer::Renderer(const Camera& camera) : camera_(camera) {
   }
 }
 
-cv::Mat Renderer::Render(const Scene& scene, const SE3& scene_from_camera) const {
+cv::Mat Renderer::Render(const Scene& scene, const SE3& scene_from_camera,
+                         const std::vector<Quad>& more) const {
   cv::Mat image(camera_.height(), camera_.width(), CV_8UC1);
-  const Picture picture(scene, camera_, corner_rays_, scene_from_camera);
+  const Picture picture(scene, camera_, corner_rays_, scene_from_camera, more);
   picture.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
     picture.ShadeTile(candidates, tile, &image);
   });
   return image;
 }
 
-cv::Mat Renderer::RenderDepth(const Scene& scene, const SE3& scene_from_camera) const {
+cv::Mat Renderer::RenderDepth(const Scene& scene, const SE3& scene_from_camera,
+                              const std::vector<Quad>& more) const {
   cv::Mat depth(camera_.height(), camera_.width(), CV_32FC1);
-  const Picture picture(scene, camera_, corner_rays_, scene_from_camera);
+  const Picture picture(scene, camera_, corner_rays_, scene_from_camera, more);
   picture.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
     picture.MeasureTile(candidates, tile, &depth);
   });

@@ -21,11 +21,14 @@ class Renderer {
  public:
   explicit Renderer(const Camera& camera);
 
-  /// CV_8UC1. Black where the camera has no ray.
-  cv::Mat Render(const Scene& scene, const SE3& scene_from_camera) const;
+  /// CV_8UC1. Black where the camera has no ray. `more` is in the scene besides, with textures of
+  /// the scene.
+  cv::Mat Render(const Scene& scene, const SE3& scene_from_camera,
+                 const std::vector<Quad>& more = {}) const;
 
   /// CV_32FC1: z in the camera of what the ray through each pixel's centre meets, m; 0 for nothing.
-  cv::Mat RenderDepth(const Scene& scene, const SE3& scene_from_camera) const;
+  cv::Mat RenderDepth(const Scene& scene, const SE3& scene_from_camera,
+                      const std::vector<Quad>& more = {}) const;
 
   const Camera& camera() const { return camera_; }
 

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include <opencv2/core.hpp>
+
 #include "apps/synthetic/random.h"
 #include "orb/error.h"
 
 namespace corvo::synthetic {
 namespace {
+
+constexpr int kBlurMoments = 12;  ///< That make up a blurred picture.
 
 /// A sample of the standard normal distribution, by the central limit: the sum of twelve uniform
 /// ones of variance 1/12 (so never beyond 6). Exact integers up to the last step.
@@ -39,6 +43,7 @@ void SequenceOptions::Validate() const {
   CheckRange("frames", frames, 1, 1000000);
   if (width != 0) CheckRange("width", width, 64, 8192);
   CheckRange("noise_sigma", noise_sigma, 0.0, 100.0);
+  effects.Validate();
 }
 
 Sequence::Sequence(std::string name, std::shared_ptr<const Scene> scene, const Camera& camera,
@@ -51,6 +56,11 @@ Sequence::Sequence(std::string name, std::shared_ptr<const Scene> scene, const C
       options_(options),
       scene_from_world_(scene_from_camera.at(0)) {
   options.Validate();
+  if (options.effects.moving_share > 0) {
+    const auto with_boards = std::make_shared<Scene>(*scene_);
+    boards_.emplace(camera, options.effects.moving_share, with_boards.get());
+    scene_ = with_boards;
+  }
   const SE3 world_from_scene = scene_from_world_.Inverse();
   for (const SE3& pose : scene_from_camera) {
     const double seconds = static_cast<double>(poses_.size()) / frame_rate_hz;
@@ -63,14 +73,45 @@ SE3 Sequence::scene_from_camera(int frame) const {
   return scene_from_world_ * poses_.at(static_cast<std::size_t>(frame)).world_from_camera;
 }
 
+SE3 Sequence::PoseAt(double frame) const {
+  const double inside = std::clamp(frame, 0.0, static_cast<double>(size() - 1));
+  const int before = static_cast<int>(inside);
+  const SE3 pose = scene_from_camera(before);
+  if (inside == before) return pose;
+  const SE3 step = pose.Inverse() * scene_from_camera(before + 1);
+  return pose * SE3::Exp((inside - before) * step.Log());
+}
+
+std::vector<Quad> Sequence::MovingQuadsAt(double frame) const {
+  return boards_ ? boards_->At(PoseAt(frame), SecondsAt(frame)) : std::vector<Quad>();
+}
+
+cv::Mat Sequence::RenderMoment(double frame) const {
+  return renderer_.Render(*scene_, PoseAt(frame), MovingQuadsAt(frame));
+}
+
+cv::Mat Sequence::RenderBlurred(int frame) const {
+  cv::Mat sum = cv::Mat::zeros(camera().height(), camera().width(), CV_32SC1);
+  for (int i = 0; i < kBlurMoments; ++i) {
+    const double moment = frame + (i + 0.5) / kBlurMoments - 0.5;
+    cv::add(sum, RenderMoment(moment), sum, cv::noArray(), CV_32S);
+  }
+  cv::Mat mean;
+  sum.convertTo(mean, CV_8U, 1.0 / kBlurMoments);
+  return mean;
+}
+
 cv::Mat Sequence::Render(int frame) const {
-  cv::Mat image = renderer_.Render(*scene_, scene_from_camera(frame));
+  const double seconds = SecondsAt(frame);
+  const bool blurred = options_.effects.blur.Contains(seconds);
+  cv::Mat image = blurred ? RenderBlurred(frame) : RenderMoment(frame);
+  ApplyLight(&image, options_.effects, seconds);
   if (options_.noise_sigma > 0) AddGaussianNoise(&image, options_, frame);
   return image;
 }
 
 cv::Mat Sequence::RenderDepth(int frame) const {
-  return renderer_.RenderDepth(*scene_, scene_from_camera(frame));
+  return renderer_.RenderDepth(*scene_, scene_from_camera(frame), MovingQuadsAt(frame));
 }
 
 }  // namespace corvo::synthetic

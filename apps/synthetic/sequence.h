@@ -8,6 +8,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "apps/synthetic/boards.h"
+#include "apps/synthetic/effects.h"
 #include "apps/synthetic/renderer.h"
 #include "apps/synthetic/scene.h"
 #include "vo/camera.h"
@@ -24,6 +26,7 @@ struct SequenceOptions {
   int width = 0;           ///< px; the height and the focal length follow. 0: the scene's own size.
   double noise_sigma = 0;  ///< Standard deviation of the Gaussian noise added to each pixel, grey.
   std::uint64_t noise_seed = 1;
+  Effects effects;
   std::optional<CameraParameters> camera;  ///< Overrides the scene's camera and `width`.
 
   /// Throws corvo::Error naming the first field out of range.
@@ -49,14 +52,24 @@ class Sequence {
   const PoseSequence& poses() const { return poses_; }
   SE3 scene_from_camera(int frame) const;
 
+  /// Time of a frame, or of a moment between two, s.
+  double SecondsAt(double frame) const { return frame / frame_rate_hz_; }
+
   /// 8-bit grey. The same bytes whenever and in whatever order frames are rendered.
   cv::Mat Render(int frame) const;
   /// CV_32FC1: z in the camera of what each pixel's centre shows, m; 0 for nothing.
   cv::Mat RenderDepth(int frame) const;
 
  private:
+  /// Of a moment between two frames, in between; before the first and after the last, theirs.
+  SE3 PoseAt(double frame) const;
+  std::vector<Quad> MovingQuadsAt(double frame) const;
+  cv::Mat RenderMoment(double frame) const;
+  cv::Mat RenderBlurred(int frame) const;
+
   std::string name_;
   std::shared_ptr<const Scene> scene_;
+  std::optional<Boards> boards_;
   Renderer renderer_;
   double frame_rate_hz_;
   SequenceOptions options_;

@@ -61,8 +61,7 @@ void ClaimFolder(const fs::path& folder, bool force) {
 }
 
 std::string CameraYaml(const Sequence& sequence) {
-  std::string text =
-      "model: " + std::string(ToString(sequence.camera().parameters().model)) + "\n";
+  std::string text = "model: " + std::string(ToString(sequence.camera().parameters().model)) + "\n";
   CameraParameters::Visit(sequence.camera().parameters(),
                           [&](const char* name, const auto& value, const auto&...) {
                             text += fmt::format("{}: {}\n", name, value);
