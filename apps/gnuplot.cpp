@@ -1,5 +1,6 @@
 #include "apps/gnuplot.h"
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
 
@@ -34,10 +35,17 @@ bool Spawn(int input, const std::filesystem::path& output) {
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;  // It can be ended even while this process holds signals back.
+  posix_spawnattr_init(&attributes);
+  sigset_t no_signals;
+  sigemptyset(&no_signals);
+  posix_spawnattr_setsigmask(&attributes, &no_signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   char name[] = "gnuplot";
   char* arguments[] = {name, nullptr};
   pid_t process = 0;
-  const int error = posix_spawnp(&process, name, &actions, nullptr, arguments, environ);
+  const int error = posix_spawnp(&process, name, &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   int status = 0;
   return error == 0 && waitpid(process, &status, 0) == process && status == 0;

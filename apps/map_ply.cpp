@@ -24,18 +24,18 @@ std::string Header(int num_vertices) {
 
 }  // namespace
 
-std::string MapPly(const Map& map) {
+std::string MapPly(const Map& map, double metres_per_unit) {
   std::string vertices;
   int num_vertices = map.num_keyframes();
   for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
-    vertices += Vertex(landmark->in_world, kLandmarkColour, landmark->segment);
+    vertices += Vertex(metres_per_unit * landmark->in_world, kLandmarkColour, landmark->segment);
     ++num_vertices;
   }
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
-    vertices +=
-        Vertex(map.WorldFromKeyframe(id).translation(), kKeyframeColour, map.keyframe(id).segment);
+    vertices += Vertex(metres_per_unit * map.WorldFromKeyframe(id).translation(), kKeyframeColour,
+                       map.keyframe(id).segment);
   }
   return Header(num_vertices) + vertices;
 }

@@ -44,6 +44,7 @@ void OutputFolder::Write(std::string_view name, std::string_view text) const {
 
 void OutputFolder::Commit(const std::vector<std::string>& names) {
   std::error_code error;
+  if (!names.empty()) fs::remove(folder_ / names.back(), error);
   for (const std::string& name : names) {
     if (fs::exists(Stage(name))) {
       fs::rename(Stage(name), folder_ / name, error);

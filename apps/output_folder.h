@@ -24,7 +24,7 @@ class OutputFolder {
   void Write(std::string_view name, std::string_view text) const;
 
   /// Moves every file into place. Of `names`, those that were not written are removed: they would
-  /// be another run's.
+  /// be another run's. The last one goes first and comes last: where it is, the set is whole.
   void Commit(const std::vector<std::string>& names);
 
  private:

@@ -13,8 +13,9 @@ std::map<Reason, int> CountReasons(const Trajectory& trajectory) {
 std::string_view Advice(Reason reason) {
   switch (reason) {
     case Reason::kNone:
+      return "no reason is known";
     case Reason::kReferenceFrame:
-      return "the sequence may be too short";
+      return "initialisation begins here: see the other reasons, or the sequence is too short";
     case Reason::kTooFewFeatures:
       return "the pictures are too dark, blurred or blank";
     case Reason::kTooFewMatches:

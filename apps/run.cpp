@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "apps/outcome.h"
+#include "apps/interruption.h"
 #include "apps/output_folder.h"
+#include "apps/progress.h"
 #include "apps/run_inputs.h"
 #include "apps/run_record.h"
 #include "apps/run_results.h"
@@ -15,7 +16,7 @@
 namespace corvo {
 namespace {
 
-constexpr int kFramesBetweenProgressLines = 100;
+constexpr int kInterrupted = 130;  // As shells have it for SIGINT.
 
 constexpr const char* kFooter = R"(Examples:
   corvo run sequences/03 -o result                    # KITTI odometry, its own calibration
@@ -23,16 +24,14 @@ constexpr const char* kFooter = R"(Examples:
   corvo run MH_01_easy/mav0 -o result                 # EuRoC
   corvo run images/ --camera camera.yaml --fps 30 -o result
 
-Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way.)";
+Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way,
+130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are.)";
 
-void ReportProgress(const FrameResult& frame, std::size_t num_frames) {
-  if ((frame.index + 1) % kFramesBetweenProgressLines != 0) return;
-  spdlog::info("frame {} of {}: {}", frame.index + 1, num_frames, ToString(frame.state));
-}
-
-RunRecord ProcessImages(RunInputs& inputs, int threads) {
-  RunRecord record{Odometry(inputs.camera, inputs.options, threads), {}, {}, 0};
+RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
+                        const Interruption& interruption) {
+  RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads), {}, {}, 0, false};
   const std::vector<TimedFile>& files = inputs.source.list().images;
+  ProgressReport progress(static_cast<int>(files.size()));
   Stopwatch watch;
   while (const std::optional<TimedImage> next = inputs.source.Next()) {
     FrameTiming timing;
@@ -42,21 +41,28 @@ RunRecord ProcessImages(RunInputs& inputs, int threads) {
     timing.total_ms = watch.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
-    ReportProgress(frame, files.size());
+    progress.Add(frame);
+    record.is_interrupted = interruption.IsRequested();
+    if (record.is_interrupted) break;
   }
-  record.trajectory = record.odometry.GetTrajectory();
+  record.trajectory = Scale(arguments.metres_per_unit.value_or(1), record.odometry.Finish());
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
 }
 
-Outcome Run(const RunArguments& arguments) {
+int Run(const RunArguments& arguments) {
   RunInputs inputs = ReadInputs(arguments);
+  const Interruption interruption;
   OutputFolder output(arguments.output);
-  const RunRecord record = ProcessImages(inputs, arguments.threads);
+  const RunRecord record = ProcessImages(inputs, arguments, interruption);
+  if (record.is_interrupted) {
+    spdlog::error("interrupted after {} frames: nothing is written", record.timings.size());
+    return kInterrupted;
+  }
   const RunSummary summary = Summarize(arguments, inputs, record.trajectory, record.odometry.map());
   WriteResults(arguments, inputs, record, summary, output);
   fmt::print("{}", SummaryText(arguments, summary));
-  return summary.outcome;
+  return static_cast<int>(summary.outcome);
 }
 
 }  // namespace
@@ -80,11 +86,15 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
       ->check(CLI::Range(1e-3, 1e6));
+  command
+      ->add_option("--metres-per-unit", arguments->metres_per_unit,
+                   "scale of the written trajectories and map (default: the run's own unit)")
+      ->check(CLI::Range(1e-12, 1e12));
   command->add_option("--threads", arguments->threads, "threads; never changes the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->footer(kFooter);
-  command->callback([arguments, &exit_code] { exit_code = static_cast<int>(Run(*arguments)); });
+  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
 }
 
 }  // namespace corvo

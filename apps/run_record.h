@@ -10,9 +10,10 @@ namespace corvo {
 /// What a run leaves behind, before anything is written.
 struct RunRecord {
   Odometry odometry;
-  Trajectory trajectory;  ///< As the odometry knows it after the last picture.
+  Trajectory trajectory;  ///< As known after the last picture; in metres where that was asked for.
   std::vector<FrameTiming> timings;
   double elapsed_s = 0;
+  bool is_interrupted = false;  ///< Ended by Ctrl-C, before the last picture.
 };
 
 }  // namespace corvo

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/environment.h"
+#include "apps/kitti_trajectory.h"
 #include "apps/map_ply.h"
 #include "apps/plot.h"
 #include "vo/config.h"
@@ -46,10 +47,19 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
   return plot;
 }
 
-void WriteTables(const RunRecord& record, const OutputFolder& output) {
-  WriteTum(output.Stage("trajectory.tum"), record.trajectory.PosedFrames());
-  WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(record.trajectory));
-  output.Write("map.ply", MapPly(record.odometry.map()));
+void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output) {
+  const PoseSequence poses = trajectory.PosedFrames();
+  WriteTum(output.Stage("trajectory.tum"), poses);
+  WriteEurocPoses(output.Stage("trajectory_euroc.csv"), poses);
+  WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(trajectory));
+  if (WhyNotKitti(trajectory).empty()) {
+    WriteKittiPoses(output.Stage("trajectory.kitti"), KittiRows(trajectory));
+  }
+}
+
+void WriteTables(const RunArguments& arguments, const RunRecord& record,
+                 const OutputFolder& output) {
+  output.Write("map.ply", MapPly(record.odometry.map(), arguments.metres_per_unit.value_or(1)));
   output.Write("frames.csv", FrameTable(record.trajectory));
   output.Write("timing.csv", TimingTable(record.timings));
 }
@@ -62,7 +72,8 @@ void WriteJson(const nlohmann::ordered_json& json, const char* name, const Outpu
 
 void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
                   const RunSummary& summary, OutputFolder& output) {
-  WriteTables(record, output);
+  WriteTrajectories(record.trajectory, output);
+  WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
@@ -70,8 +81,9 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) {
     spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
-  output.Commit({"trajectory.tum", "keyframes.tum", "map.ply", "frames.csv", "timing.csv",
-                 "config.yaml", "summary.json", "environment.json", "trajectory.png"});
+  output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
+                 "map.ply", "frames.csv", "timing.csv", "config.yaml", "environment.json",
+                 "trajectory.png", "summary.json"});
 }
 
 }  // namespace corvo

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "apps/evaluation_report.h"
+#include "apps/kitti_trajectory.h"
 #include "apps/reasons.h"
 #include "orb/error.h"
 
@@ -39,20 +42,26 @@ Json CountsJson(const std::map<Key, int>& counts) {
   return json;
 }
 
-Reason MostFrequent(const std::map<Reason, int>& reasons) {
-  return std::max_element(reasons.begin(), reasons.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+/// The reasons, the most frequent first.
+std::vector<std::pair<Reason, int>> ByCount(const std::map<Reason, int>& reasons) {
+  std::vector<std::pair<Reason, int>> sorted(reasons.begin(), reasons.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
 }
 
+/// A histogram, with what to do about each reason.
 std::string ReasonsText(const RunSummary& summary) {
+  constexpr int kBarColumns = 20;
   if (summary.reasons.empty()) return "";
-  std::string text = "frames without a pose:\n";
-  for (const auto& [reason, count] : summary.reasons) {
-    text += fmt::format("  {:<18} {:>6}\n", ToString(reason), count);
+  const int unposed = summary.num_frames - summary.num_posed;
+  std::string text = fmt::format("{} of {} frames have no pose:\n", unposed, summary.num_frames);
+  for (const auto& [reason, count] : ByCount(summary.reasons)) {
+    const int columns = std::max(1, count * kBarColumns / unposed);
+    text += fmt::format("  {:<18} {:>6}  {:<{}}  {}\n", ToString(reason), count,
+                        std::string(columns, '#'), kBarColumns, Advice(reason));
   }
-  if (summary.outcome == Outcome::kDone) return text;
-  return text + fmt::format("advice: {}\n", Advice(MostFrequent(summary.reasons)));
+  return text;
 }
 
 /// None where too little is posed to be compared.
@@ -79,6 +88,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_landmarks = CountLandmarks(map);
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
+  summary.why_not_kitti = WhyNotKitti(trajectory);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     if (arguments.max_dt_s) options.max_dt_ns = std::llround(1e9 * *arguments.max_dt_s);
@@ -103,6 +113,9 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["landmarks"] = summary.num_landmarks;
   json["states"] = CountsJson(summary.states);
   json["reasons"] = CountsJson(summary.reasons);
+  json["trajectory_kitti"] =
+      summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
+  if (arguments.metres_per_unit) json["metres_per_unit"] = *arguments.metres_per_unit;
   if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
   return json;

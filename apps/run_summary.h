@@ -23,6 +23,7 @@ struct RunSummary {
   int num_landmarks = 0;
   std::map<State, int> states;
   std::map<Reason, int> reasons;         ///< Of the frames that are not posed.
+  std::string why_not_kitti;             ///< Why there is no trajectory.kitti; empty if there is.
   std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
 };
 

@@ -15,4 +15,13 @@ double Trajectory::PosedShare() const {
   return static_cast<double>(PosedFrames().size()) / static_cast<double>(frames.size());
 }
 
+Trajectory Scale(double scale, Trajectory trajectory) {
+  for (FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) continue;
+    const SE3& pose = *frame.world_from_camera;
+    frame.world_from_camera = SE3(pose.rotation(), scale * pose.translation());
+  }
+  return trajectory;
+}
+
 }  // namespace corvo

@@ -24,4 +24,7 @@ struct Trajectory {
   double PosedShare() const;  ///< Of all frames, 0 to 1.
 };
 
+/// With `scale` times the lengths.
+Trajectory Scale(double scale, Trajectory trajectory);
+
 }  // namespace corvo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,12 @@ CommandResult RunCorvoAlone(const std::vector<std::string>& arguments);
 /// Runs any program, with the variables of `environment` ("NAME=value") and no others.
 CommandResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                          std::vector<std::string> environment);
+
+/// Runs `corvo` and sends it SIGINT, as Ctrl-C does, as soon as `file` exists.
+CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
+                             const std::filesystem::path& file);
+
+/// Runs `corvo` with a terminal as standard error; what it shows there is `err`.
+CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments);
 
 }  // namespace corvo::test

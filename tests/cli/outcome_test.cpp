@@ -41,6 +41,13 @@ TEST(JudgeOutcome, IsLostAfterAGapOrInSeveralSegments) {
   EXPECT_EQ(JudgeOutcome({{Posed(0), Posed(1)}}), Outcome::kLost);
 }
 
+TEST(Advice, IsGivenForEveryReason) {
+  for (int reason = 0; ToString(static_cast<Reason>(reason)) != "unknown"; ++reason) {
+    EXPECT_FALSE(Advice(static_cast<Reason>(reason)).empty())
+        << ToString(static_cast<Reason>(reason));
+  }
+}
+
 TEST(CountReasons, CountsFramesWithoutAPose) {
   const Trajectory trajectory{{kWaiting, kWaiting, Posed(0), kLost}};
   EXPECT_THAT(CountReasons(trajectory),

@@ -7,6 +7,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "vo/trajectory_io.h"
 
 namespace corvo::test {
 namespace {
@@ -25,6 +26,16 @@ int CountPoses(const fs::path& file) {
   return count;
 }
 
+/// The z coordinate of the first point of a PLY file.
+double FirstVertex(const fs::path& ply) {
+  std::istringstream text(ReadText(ply));
+  for (std::string line; std::getline(text, line) && line != "end_header";) {
+  }
+  double x = 0, y = 0, z = 0;
+  text >> x >> y >> z;
+  return z;
+}
+
 /// `corvo synth`, `run` and `eval`, one after the other, on a rendered street.
 class Pipeline : public testing::Test {
  protected:
@@ -33,6 +44,7 @@ class Pipeline : public testing::Test {
     const CommandResult result =
         RunCorvo({"synth", "street", "-o", *folder_ / "street", "--frames", "40"});
     ASSERT_EQ(result.exit_code, kDone) << result.err;
+    ASSERT_EQ(RunOn(Street(), Result(), {"--gt", Truth(), "--threads", "1"}).exit_code, kDone);
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
@@ -45,6 +57,8 @@ class Pipeline : public testing::Test {
   }
 
   static fs::path Street() { return *folder_ / "street"; }
+  /// Of a run with the truth and one thread.
+  static fs::path Result() { return *folder_ / "result"; }
   static fs::path Truth() { return Street() / "groundtruth.txt"; }
 
   static std::unique_ptr<TempFolder> folder_;
@@ -53,36 +67,52 @@ class Pipeline : public testing::Test {
 std::unique_ptr<TempFolder> Pipeline::folder_;
 
 TEST_F(Pipeline, PosesEveryFrameOfAStreet) {
-  const fs::path result = *folder_ / "result";
-  ASSERT_EQ(RunOn(Street(), result, {"--gt", Truth()}).exit_code, kDone);
-  EXPECT_EQ(CountPoses(result / "trajectory.tum"), kFrames);
-  const auto summary = nlohmann::json::parse(ReadText(result / "summary.json"));
+  EXPECT_EQ(CountPoses(Result() / "trajectory.tum"), kFrames);
+  const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   EXPECT_EQ(summary["posed"], kFrames);
   EXPECT_EQ(summary["segments"], 1);
   EXPECT_LT(summary["evaluation"]["ate"]["percent_of_path"], 0.5);
+  EXPECT_EQ(summary["trajectory_kitti"], "written");
+  EXPECT_EQ(ReadKittiPoses(Result() / "trajectory.kitti").size(), kFrames);
+  EXPECT_EQ(ReadEurocPoses(Result() / "trajectory_euroc.csv").size(), kFrames);
   const std::string vertices =
       "element vertex " +
       std::to_string(summary["landmarks"].get<int>() + summary["keyframes"].get<int>()) + "\n";
-  EXPECT_THAT(ReadText(result / "map.ply"), testing::HasSubstr(vertices));
+  EXPECT_THAT(ReadText(Result() / "map.ply"), testing::HasSubstr(vertices));
 }
 
 TEST_F(Pipeline, EvalSaysWhatRunSays) {
-  const fs::path result = *folder_ / "result";
-  ASSERT_EQ(RunOn(Street(), result, {"--gt", Truth()}).exit_code, kDone);
-  const CommandResult eval = RunCorvo({"eval", result / "trajectory.tum", Truth(), "--json"});
+  const CommandResult eval = RunCorvo({"eval", Result() / "trajectory.tum", Truth(), "--json"});
   const auto measured = nlohmann::json::parse(eval.out);
-  const auto summary = nlohmann::json::parse(ReadText(result / "summary.json"));
+  const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   EXPECT_NEAR(measured["ate"]["rmse"], summary["evaluation"]["ate"]["rmse"], 1e-9);
 }
 
+TEST_F(Pipeline, WritesMetres) {
+  const fs::path scaled = *folder_ / "scaled";
+  ASSERT_EQ(RunOn(Street(), scaled, {"--metres-per-unit", "4"}).exit_code, kDone);
+  for (const char* name : {"trajectory.tum", "keyframes.tum"}) {
+    const PoseSequence units = ReadTum(Result() / name), metres = ReadTum(scaled / name);
+    ASSERT_EQ(metres.size(), units.size());
+    EXPECT_EQ(metres.back().world_from_camera.translation(),
+              4 * units.back().world_from_camera.translation());
+    EXPECT_EQ(metres.back().world_from_camera.rotation().quaternion().coeffs(),
+              units.back().world_from_camera.rotation().quaternion().coeffs());
+  }
+  EXPECT_EQ(ReadKittiPoses(scaled / "trajectory.kitti").back().translation(),
+            4 * ReadKittiPoses(Result() / "trajectory.kitti").back().translation());
+  EXPECT_NEAR(FirstVertex(scaled / "map.ply"), 4 * FirstVertex(Result() / "map.ply"), 1e-6);
+  const auto summary = nlohmann::json::parse(ReadText(scaled / "summary.json"));
+  EXPECT_EQ(summary["metres_per_unit"], 4.0);
+}
+
 TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
-  const fs::path one = *folder_ / "one";
   const fs::path two = *folder_ / "two";
-  ASSERT_EQ(RunOn(Street(), one, {"--gt", Truth(), "--threads", "1"}).exit_code, kDone);
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);
-  for (const char* name : {"trajectory.tum", "keyframes.tum", "map.ply", "frames.csv",
-                           "summary.json", "config.yaml", "trajectory.png"}) {
-    EXPECT_EQ(ReadText(one / name), ReadText(two / name)) << name;
+  for (const char* name :
+       {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum", "map.ply",
+        "frames.csv", "summary.json", "config.yaml", "trajectory.png"}) {
+    EXPECT_EQ(ReadText(Result() / name), ReadText(two / name)) << name;
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -19,10 +20,13 @@ using ::testing::StartsWith;
 
 constexpr int kBadInput = 1;
 constexpr int kNeverInitialized = 2;
+constexpr int kInterrupted = 130;
 
 const char* const kCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
+
+const char* const kShippedCamera = CORVO_SOURCE_DIR "/configs/7scenes.yaml";
 
 const char* const kReproducibleFiles[] = {"trajectory.tum", "keyframes.tum", "map.ply",
                                           "frames.csv",     "summary.json",  "config.yaml",
@@ -68,7 +72,11 @@ TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
   const CommandResult result = RunHere();
   EXPECT_EQ(result.exit_code, kNeverInitialized);
   EXPECT_THAT(result.out, AllOf(HasSubstr("never initialised"), HasSubstr("5 frames, 0 posed"),
-                                HasSubstr("frames without a pose:"), HasSubstr("advice: ")));
+                                HasSubstr("\n5 of 5 frames have no pose:\n")));
+  EXPECT_THAT(result.out,
+              ContainsRegex("\n  too_few_matches +4  #+ +the pictures change too much "));
+  EXPECT_FALSE(fs::exists(result_ / "trajectory.kitti"));
+  EXPECT_EQ(Summary()["trajectory_kitti"], "not written: 5 of 5 frames have no pose");
   EXPECT_THAT(ReadText(result_ / "trajectory.tum"), testing::MatchesRegex("(#.*\n)?"));
 }
 
@@ -216,6 +224,32 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItFails) {
     after[entry.path()] = ReadText(entry.path());
   }
   EXPECT_EQ(before, after);
+}
+
+TEST_F(Run, LeavesEarlierResultsUntouchedWhenItIsInterrupted) {
+  WriteText(result_ / "trajectory.tum", "precious");
+  const cv::Mat picture = TinyImage(0, 640, 480);
+  WriteImage(folder_ / "many/0.png", picture);
+  for (int i = 1; i < 500; ++i) {
+    fs::create_hard_link(folder_ / "many/0.png", folder_ / "many" / (std::to_string(i) + ".png"));
+  }
+  const CommandResult result =
+      InterruptCorvo({"run", folder_ / "many", "--camera", kShippedCamera, "-o", result_},
+                     result_ / ".corvo-unfinished");
+  EXPECT_EQ(result.exit_code, kInterrupted);
+  EXPECT_THAT(result.out, IsEmpty());
+  EXPECT_THAT(result.err, HasSubstr("corvo: error: interrupted after "));
+  EXPECT_EQ(ReadText(result_ / "trajectory.tum"), "precious");
+  EXPECT_EQ(std::distance(fs::directory_iterator(result_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Run, ShowsABarOnATerminalOnly) {
+  const std::vector<std::string> arguments = {"run", images_, "--camera", camera_, "-o", result_};
+  const CommandResult shown = RunCorvoOnTerminal(arguments);
+  EXPECT_EQ(shown.exit_code, kNeverInitialized);
+  EXPECT_THAT(shown.err, AllOf(HasSubstr("\r\x1b[K[####"), HasSubstr("] frame 5 of 5: ")));
+  EXPECT_THAT(shown.out, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(RunCorvo(arguments).err, IsEmpty());
 }
 
 }  // namespace

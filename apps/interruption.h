@@ -1,0 +1,25 @@
+#pragma once
+
+#include <csignal>
+
+namespace corvo {
+
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM no longer end the process but wait to be asked for,
+/// so that files are never left half-written. Of this thread and those that it starts.
+class Interruption {
+ public:
+  Interruption();
+  /// A signal that came meanwhile is forgotten.
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// Whether one of the signals has come.
+  bool IsRequested() const;
+
+ private:
+  sigset_t signals_;
+  sigset_t previous_;
+};
+
+}  // namespace corvo
