@@ -12,6 +12,7 @@
 #include "apps/run_record.h"
 #include "apps/run_results.h"
 #include "apps/stopwatch.h"
+#include "apps/track_pictures.h"
 
 namespace corvo {
 namespace {
@@ -32,6 +33,7 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
   RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads), {}, {}, 0, false};
   const std::vector<TimedFile>& files = inputs.source.list().images;
   ProgressReport progress(static_cast<int>(files.size()));
+  TrackPictures pictures(arguments.pictures);
   Stopwatch watch;
   while (const std::optional<TimedImage> next = inputs.source.Next()) {
     FrameTiming timing;
@@ -41,7 +43,9 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
     timing.total_ms = watch.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
+    pictures.Add(next->image, record.odometry.last_frame(), frame);
     progress.Add(frame);
+    watch.LapMs();
     record.is_interrupted = interruption.IsRequested();
     if (record.is_interrupted) break;
   }
@@ -86,6 +90,8 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
       ->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--draw", arguments->pictures,
+                      "folder for a picture of every frame with its tracked features");
   command
       ->add_option("--metres-per-unit", arguments->metres_per_unit,
                    "scale of the written trajectories and map (default: the run's own unit)")

@@ -19,6 +19,7 @@ struct RunArguments {
   std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
   std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
   std::optional<double> frame_rate_hz;
+  std::filesystem::path pictures;         ///< Folder for drawings of the tracked features.
   std::optional<double> metres_per_unit;  ///< Scales what is written; none is 1.
   int threads = 1;
 };
