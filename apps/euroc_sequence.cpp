@@ -44,31 +44,42 @@ std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::si
   return numbers;
 }
 
-void CheckModel(const YAML::Node& root, const char* key, const char* supported) {
-  const auto model = root[key].as<std::string>("");
-  if (model == supported) return;
-  throw Error(fmt::format("{} is '{}'; supported is {}", key, model, supported));
+/// EuRoC's radial-tangential, or Kalibr's equidistant, which is kb4.
+CameraModel ParseModel(const YAML::Node& root) {
+  const auto model = root["camera_model"].as<std::string>("");
+  if (model != "pinhole") {
+    throw Error(fmt::format("camera_model is '{}'; supported is pinhole", model));
+  }
+  const auto distortion = root["distortion_model"].as<std::string>("");
+  if (distortion == "radial-tangential") return CameraModel::kPinhole;
+  if (distortion == "equidistant") return CameraModel::kKb4;
+  throw Error(fmt::format(
+      "distortion_model is '{}'; supported are radial-tangential and equidistant", distortion));
+}
+
+void SetDistortion(std::vector<double> numbers, CameraParameters& camera) {
+  numbers.resize(5, 0.0);
+  const bool is_kb4 = camera.model == CameraModel::kKb4;
+  camera.k1 = numbers[0];
+  camera.k2 = numbers[1];
+  (is_kb4 ? camera.k3 : camera.p1) = numbers[2];
+  (is_kb4 ? camera.k4 : camera.p2) = numbers[3];
+  if (!is_kb4) camera.k3 = numbers[4];
 }
 
 CameraParameters ParseCamera(const YAML::Node& root) {
-  CheckModel(root, "camera_model", "pinhole");
-  CheckModel(root, "distortion_model", "radial-tangential");
+  CameraParameters camera;
+  camera.model = ParseModel(root);
   const std::vector<double> size = ReadNumbers(root, "resolution", 2, 2);
   const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
-  std::vector<double> distortion = ReadNumbers(root, "distortion_coefficients", 4, 5);
-  distortion.resize(5, 0.0);
-  CameraParameters camera;
+  const std::size_t max_distortion = camera.model == CameraModel::kKb4 ? 4 : 5;
+  SetDistortion(ReadNumbers(root, "distortion_coefficients", 4, max_distortion), camera);
   camera.width = static_cast<int>(size[0]);
   camera.height = static_cast<int>(size[1]);
   camera.fx = intrinsics[0];
   camera.fy = intrinsics[1];
   camera.cx = intrinsics[2];
   camera.cy = intrinsics[3];
-  camera.k1 = distortion[0];
-  camera.k2 = distortion[1];
-  camera.p1 = distortion[2];
-  camera.p2 = distortion[3];
-  camera.k3 = distortion[4];
   camera.Validate();
   return camera;
 }

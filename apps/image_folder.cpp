@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include <glob.h>
+
 #include <fmt/format.h>
 
 #include "apps/image_layouts.h"
@@ -26,6 +28,18 @@ std::string_view TakeToken(std::string_view& text) {
   return token;
 }
 
+/// 7-Scenes keeps a depth picture beside each colour picture.
+bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
+
+void AddTimes(const std::vector<fs::path>& files, double frame_rate_hz, ImageList& list) {
+  for (const fs::path& file : files) {
+    const double time_s = static_cast<double>(list.images.size()) / frame_rate_hz;
+    list.images.push_back({file, std::llround(1e9 * time_s)});
+  }
+}
+
+}  // namespace
+
 bool HasImageExtension(const fs::path& file) {
   constexpr std::array<std::string_view, 7> kExtensions = {".png", ".jpg", ".jpeg", ".bmp",
                                                            ".pgm", ".tif", ".tiff"};
@@ -34,11 +48,6 @@ bool HasImageExtension(const fs::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
-
-/// 7-Scenes keeps a depth picture beside each colour picture.
-bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
-
-}  // namespace
 
 bool NaturalLess(std::string_view a, std::string_view b) {
   const std::string_view whole_a = a;
@@ -67,16 +76,35 @@ std::vector<fs::path> ImageFilesIn(const fs::path& folder) {
   return files;
 }
 
+bool IsPattern(const fs::path& input) {
+  return input.string().find_first_of("*?[") != std::string::npos;
+}
+
+ImageList ListMatchingImages(const fs::path& pattern, double frame_rate_hz) {
+  std::vector<fs::path> files;
+  glob_t found{};
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+      if (HasImageExtension(found.gl_pathv[i])) files.emplace_back(found.gl_pathv[i]);
+    }
+  }
+  globfree(&found);
+  if (files.empty()) throw Error(fmt::format("{}: matches no picture", pattern.string()));
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return NaturalLess(a.string(), b.string());
+  });
+  ImageList list{"glob", {}, {}};
+  AddTimes(files, frame_rate_hz, list);
+  return list;
+}
+
 ImageList ListFolderImages(const fs::path& input, double frame_rate_hz) {
   ImageList list{"folder", {}, {}};
-  for (const fs::path& file : ImageFilesIn(input)) {
-    const double time_s = static_cast<double>(list.images.size()) / frame_rate_hz;
-    list.images.push_back({file, std::llround(1e9 * time_s)});
-  }
+  AddTimes(ImageFilesIn(input), frame_rate_hz, list);
   if (list.images.empty()) {
     throw Error(
         fmt::format("{}: holds no pictures (png, jpg, jpeg, bmp, pgm, tif) and is not a "
-                    "KITTI, EuRoC or TUM sequence",
+                    "KITTI, EuRoC, TUM or TUM-mono sequence",
                     input.string()));
   }
   return list;

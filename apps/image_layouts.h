@@ -23,8 +23,21 @@ ImageList ListEurocImages(const std::filesystem::path& input);
 bool IsTumSequence(const std::filesystem::path& input);
 ImageList ListTumImages(const std::filesystem::path& input);
 
+/// `times.txt` (a picture's name, its time in seconds, its exposure a line), `images`,
+/// `camera.txt`.
+bool IsTumMonoSequence(const std::filesystem::path& input);
+ImageList ListTumMonoImages(const std::filesystem::path& input);
+
+/// Whether a path has one of the wildcards * ? [ of a shell's pattern.
+bool IsPattern(const std::filesystem::path& input);
+/// The pictures that a pattern matches, ordered by path with numbers compared as numbers.
+ImageList ListMatchingImages(const std::filesystem::path& pattern, double frame_rate_hz);
+
 /// Any folder of pictures, ordered by name with numbers compared as numbers.
 ImageList ListFolderImages(const std::filesystem::path& input, double frame_rate_hz);
+
+/// Whether a file's name ends as a picture's: png, jpg, jpeg, bmp, pgm, tif or tiff.
+bool HasImageExtension(const std::filesystem::path& file);
 
 /// The picture files of a folder, in natural order.
 std::vector<std::filesystem::path> ImageFilesIn(const std::filesystem::path& folder);

@@ -24,30 +24,33 @@ constexpr const char* kFooter = R"(Examples:
   corvo run sequences/03 --gt poses/03.txt -o result  # ... and how far off it is
   corvo run MH_01_easy/mav0 -o result                 # EuRoC
   corvo run images/ --camera camera.yaml --fps 30 -o result
+  corvo run 'images/left*.png' --camera camera.yaml --every 2 --resize 0.5 -o result
+  corvo run drive.mp4 --camera phone.yaml --mask bonnet.png -o result
+  corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way,
-130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are.)";
+130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are. A camera's
+sequence is ended by Ctrl-C, and written.)";
 
 RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
                         const Interruption& interruption) {
   RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads), {}, {}, 0, false};
-  const std::vector<TimedFile>& files = inputs.source.list().images;
-  ProgressReport progress(static_cast<int>(files.size()));
+  ProgressReport progress(inputs.source.size().value_or(0));
   TrackPictures pictures(arguments.pictures);
   Stopwatch watch;
   while (const std::optional<TimedImage> next = inputs.source.Next()) {
     FrameTiming timing;
     timing.read_ms = watch.LapMs();
-    CheckSize(next->image, inputs.camera, files[record.timings.size()].file);
-    const FrameResult frame = record.odometry.Process(next->image, next->time_ns);
+    const FrameResult frame = record.odometry.Process(next->image, next->time_ns, next->mask);
     timing.total_ms = watch.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
     pictures.Add(next->image, record.odometry.last_frame(), frame);
     progress.Add(frame);
     watch.LapMs();
-    record.is_interrupted = interruption.IsRequested();
-    if (record.is_interrupted) break;
+    if (!interruption.IsRequested()) continue;
+    record.is_interrupted = !inputs.source.is_live();
+    break;
   }
   record.trajectory = Scale(arguments.metres_per_unit.value_or(1), record.odometry.Finish());
   record.elapsed_s = watch.ElapsedMs() / 1e3;
@@ -74,13 +77,9 @@ int Run(const RunArguments& arguments) {
 void AddRunCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Run visual odometry on an image sequence");
   const auto arguments = std::make_shared<RunArguments>();
-  command
-      ->add_option("INPUT", arguments->input,
-                   "folder of images, KITTI sequence, EuRoC mav0 or TUM RGB-D sequence")
-      ->required();
+  AddInputOptions(*command, *arguments);
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
-  command->add_option("--camera", arguments->camera, "camera file; instead of the dataset's own");
   command->add_option("--gt", arguments->truth,
                       "ground truth in TUM, KITTI or EuRoC format (default: that of the dataset's "
                       "layout, if it is there), or 'none'");
@@ -88,8 +87,6 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->add_option("--max-dt", arguments->max_dt_s,
                    "seconds between poses that are compared (default: half a frame)")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--fps", arguments->frame_rate_hz, "frames a second of a folder of images")
-      ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--draw", arguments->pictures,
                       "folder for a picture of every frame with its tracked features");
   command

@@ -1,24 +1,29 @@
 #include "apps/run_inputs.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
+#include "apps/ground_truth.h"
 #include "apps/shipped_cameras.h"
+#include "apps/tum_mono_sequence.h"
 #include "orb/error.h"
 #include "vo/config.h"
+#include "vo/text_lines.h"
 
 namespace corvo {
 namespace {
 
 constexpr double kDefaultFrameRateHz = 30.0;
 
-/// The camera the user named, if any.
+/// The camera the user named, if any: a camera file, or the camera.txt of a TUM-mono sequence.
 std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
   if (arguments.camera.empty()) return std::nullopt;
-  return ReadCameraFile(arguments.camera);
+  if (arguments.camera.extension() != ".txt") return ReadCameraFile(arguments.camera);
+  return CameraFile{Camera(ReadTumMonoCamera(arguments.camera)), {}, ""};
 }
 
-double FrameRate(const RunArguments& arguments, const std::optional<CameraFile>& file) {
-  if (arguments.frame_rate_hz) return *arguments.frame_rate_hz;
+double DefaultFrameRate(const std::optional<CameraFile>& file) {
   return file && file->frame_rate_hz ? *file->frame_rate_hz : kDefaultFrameRateHz;
 }
 
@@ -41,26 +46,74 @@ std::vector<TimeNs> FrameTimes(const ImageList& list) {
   return times;
 }
 
+/// The times of a video or of a camera are not known beforehand.
+RunTruth ReadTruth(const RunArguments& arguments, const ImageList& list) {
+  if (!list.images.empty()) {
+    return ReadRunTruth(arguments.truth, arguments.input, FrameTimes(list));
+  }
+  if (arguments.truth.empty() || arguments.truth == "none") return {};
+  const PoseFile truth = ReadTruthFile(arguments.truth);
+  if (truth.has_times()) return {arguments.truth, truth.poses()};
+  throw Error(fmt::format("{}: KITTI format has no times; a {} needs a truth in TUM format",
+                          arguments.truth.string(), list.layout));
+}
+
 }  // namespace
 
-void CheckSize(const cv::Mat& image, const Camera& camera, const std::filesystem::path& file) {
-  if (image.cols == camera.width() && image.rows == camera.height()) return;
-  throw Error(fmt::format("{}: the picture is {} x {} px, the camera {} x {} px", file.string(),
-                          image.cols, image.rows, camera.width(), camera.height()));
+cv::Size ParseResize(const std::string& text, const cv::Size& size) {
+  const std::string where = fmt::format("--resize '{}': ", text);
+  const std::size_t cross = text.find('x');
+  const bool is_factor = cross == std::string::npos;
+  const double width =
+      is_factor ? ParseNumber(text, where) * size.width : ParseNumber(text.substr(0, cross), where);
+  const double height = is_factor ? ParseNumber(text, where) * size.height
+                                  : ParseNumber(text.substr(cross + 1), where);
+  CheckRange(where + "width", width, 16.0, 1e5);
+  CheckRange(where + "height", height, 16.0, 1e5);
+  return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
+}
+
+void AddInputOptions(CLI::App& command, RunArguments& arguments) {
+  command
+      .add_option("INPUT", arguments.input,
+                  "folder of images, quoted pattern of images, KITTI, EuRoC, TUM-VI, TUM RGB-D or "
+                  "TUM-mono sequence, video, or number of a camera")
+      ->required();
+  command.add_option("--camera", arguments.camera,
+                     "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
+  command
+      .add_option("--fps", arguments.frame_rate_hz,
+                  "frames a second of images without times, or instead of a video's times")
+      ->check(CLI::Range(1e-3, 1e6));
+  command.add_option("--start", arguments.selection.start, "index of the first image, from 0")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_option("--every", arguments.selection.every, "of so many images one is read")
+      ->check(CLI::Range(1, 1000000000));
+  command.add_option("--count", arguments.selection.count, "images to read, at most")
+      ->check(CLI::Range(1, 1000000000));
+  command.add_option("--resize", arguments.resize,
+                     "WxH in px or a factor; the camera is scaled with the images");
+  command.add_option("--mask", arguments.mask,
+                     "image, or folder with one for each: no features where it is 0");
 }
 
 RunInputs ReadInputs(const RunArguments& arguments) {
   const OdometryOptions options =
       arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
   const std::optional<CameraFile> named = ReadNamedCamera(arguments);
-  ImageList list = ListImages(arguments.input, FrameRate(arguments, named));
-  const std::filesystem::path first = list.images.front().file;
-  const cv::Mat image = ReadGreyImage(first);
-  if (!named && !list.camera) ThrowNoCamera(arguments, image.size());
-  const Camera camera = named ? named->camera : Camera(*list.camera);
-  CheckSize(image, camera, first);
-  RunTruth truth = ReadRunTruth(arguments.truth, arguments.input, FrameTimes(list));
-  return {options, camera, ImageSource(std::move(list)), std::move(truth)};
+  ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
+                                  DefaultFrameRate(named), arguments.selection);
+  const TimedImage& first = source.First();
+  if (!named && !source.list().camera) ThrowNoCamera(arguments, first.image.size());
+  const Camera camera = named ? named->camera : Camera(*source.list().camera);
+  const cv::Size size(camera.width(), camera.height());
+  const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
+  const MaskSource masks =
+      arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
+  source.Prepare({size, resized, masks});
+  RunTruth truth = ReadTruth(arguments, source.list());
+  return {options, camera.Resized(resized.width, resized.height), std::move(source),
+          std::move(truth)};
 }
 
 }  // namespace corvo

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+
+#include <CLI/App.hpp>
 
 #include "apps/image_source.h"
 #include "apps/run_truth.h"
@@ -18,25 +21,32 @@ struct RunArguments {
   std::filesystem::path camera;
   std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
   std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
+  std::filesystem::path mask;
   std::optional<double> frame_rate_hz;
   std::filesystem::path pictures;         ///< Folder for drawings of the tracked features.
   std::optional<double> metres_per_unit;  ///< Scales what is written; none is 1.
+  Selection selection;
+  std::string resize;  ///< "WxH" or a factor; empty: not asked for.
   int threads = 1;
 };
 
 /// Everything a run reads but the pictures.
 struct RunInputs {
   OdometryOptions options;
-  Camera camera;
+  Camera camera;  ///< Of the pictures as `source` hands them out: resized, if that was asked for.
   ImageSource source;
   RunTruth truth;
 };
+
+/// Adds INPUT and the options that say which pictures are read, and how.
+void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
 /// Reads and checks all of it, and that the first picture has the camera's size. Throws
 /// corvo::Error.
 RunInputs ReadInputs(const RunArguments& arguments);
 
-/// Throws corvo::Error naming both sizes unless the picture has the camera's.
-void CheckSize(const cv::Mat& image, const Camera& camera, const std::filesystem::path& file);
+/// The size of "WxH", or of `size` times a factor, rounded. Throws corvo::Error on any other text,
+/// and on a size outside 16 to 100000 px.
+cv::Size ParseResize(const std::string& text, const cv::Size& size);
 
 }  // namespace corvo

@@ -77,6 +77,20 @@ double Camera::FocalAt(const Eigen::Vector2d& ray) const {
   return std::sqrt(2.0 / pixel_by_ray.inverse().squaredNorm());
 }
 
+Camera Camera::Resized(int width, int height) const {
+  if (width == parameters_.width && height == parameters_.height) return *this;
+  const double scale_x = static_cast<double>(width) / parameters_.width;
+  const double scale_y = static_cast<double>(height) / parameters_.height;
+  CameraParameters resized = parameters_;
+  resized.width = width;
+  resized.height = height;
+  resized.fx *= scale_x;
+  resized.fy *= scale_y;
+  resized.cx = (parameters_.cx + 0.5) * scale_x - 0.5;
+  resized.cy = (parameters_.cy + 0.5) * scale_y - 0.5;
+  return Camera(resized);
+}
+
 bool Camera::Contains(const Eigen::Vector2d& pixel) const {
   return pixel.x() >= -0.5 && pixel.x() < width() - 0.5 && pixel.y() >= -0.5 &&
          pixel.y() < height() - 0.5;

@@ -53,6 +53,10 @@ class Camera {
   /// kMaxAngle (vo/projection.h) from the axis. Infinity for a pinhole that has no such end.
   double max_radius() const { return max_radius_; }
 
+  /// The camera of the same pictures resized to `width` x `height`: with s = width / width(),
+  /// fx s and (cx + 0.5) s - 0.5, so that the picture's corners stay its corners.
+  Camera Resized(int width, int height) const;
+
   bool operator==(const Camera&) const = default;
 
  private:

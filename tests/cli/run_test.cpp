@@ -205,6 +205,35 @@ TEST_F(Run, NamesAPictureOfTheWrongSize) {
   ExpectError(RunHere(), "3.png: the picture is 80 x 60 px, the camera 96 x 64 px");
 }
 
+TEST_F(Run, ReadsTheSelectedPictures) {
+  RunHere({"--start", "1", "--every", "2", "--count", "2", "--fps", "10"});
+  const std::string table = ReadText(result_ / "frames.csv");
+  EXPECT_EQ(CountLines(table), 3);
+  EXPECT_THAT(table, AllOf(HasSubstr("\n0,0.100000000,"), HasSubstr("\n1,0.300000000,")));
+  ExpectError(RunHere({"--start", "5"}), "--start");
+  ExpectError(RunHere({"--every", "0"}), "--every");
+}
+
+TEST_F(Run, ResizesPicturesAndCamera) {
+  RunHere({"--resize", "0.5"});
+  EXPECT_EQ(Summary()["camera"]["width"], 48);
+  EXPECT_EQ(Summary()["camera"]["fx"], 40.0);
+  ExpectError(RunHere({"--resize", "small"}), "--resize 'small'");
+}
+
+TEST_F(Run, HasNoFeaturesUnderTheMask) {
+  WriteImage(folder_ / "mask.png", cv::Mat::zeros(64, 96, CV_8UC1));
+  RunHere({"--mask", folder_ / "mask.png"});
+  EXPECT_EQ(Summary()["reasons"]["too_few_features"], 5) << Summary();
+  ExpectError(RunHere({"--mask", folder_ / "none.png"}), "none.png");
+}
+
+TEST_F(Run, ReadsAPattern) {
+  RunCorvo({"run", images_ / "[12].png", "--camera", camera_, "-o", result_});
+  EXPECT_EQ(Summary()["frames"], 2);
+  EXPECT_EQ(Summary()["layout"], "glob");
+}
+
 TEST_F(Run, RefusesAnOutputThatIsAFile) {
   WriteText(result_, "precious");
   ExpectError(RunHere(), "result: the output folder is a file");
