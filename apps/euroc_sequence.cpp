@@ -44,14 +44,14 @@ std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::si
   return numbers;
 }
 
-/// EuRoC's radial-tangential, or Kalibr's equidistant, which is kb4.
+/// EuRoC's radial-tangential (Kalibr's radtan), or Kalibr's equidistant, which is kb4.
 CameraModel ParseModel(const YAML::Node& root) {
   const auto model = root["camera_model"].as<std::string>("");
   if (model != "pinhole") {
     throw Error(fmt::format("camera_model is '{}'; supported is pinhole", model));
   }
   const auto distortion = root["distortion_model"].as<std::string>("");
-  if (distortion == "radial-tangential") return CameraModel::kPinhole;
+  if (distortion == "radial-tangential" || distortion == "radtan") return CameraModel::kPinhole;
   if (distortion == "equidistant") return CameraModel::kKb4;
   throw Error(fmt::format(
       "distortion_model is '{}'; supported are radial-tangential and equidistant", distortion));
@@ -67,13 +67,13 @@ void SetDistortion(std::vector<double> numbers, CameraParameters& camera) {
   if (!is_kb4) camera.k3 = numbers[4];
 }
 
-CameraParameters ParseCamera(const YAML::Node& root) {
+CameraParameters ParseCamera(const YAML::Node& root, const char* distortion_key) {
   CameraParameters camera;
   camera.model = ParseModel(root);
   const std::vector<double> size = ReadNumbers(root, "resolution", 2, 2);
   const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
   const std::size_t max_distortion = camera.model == CameraModel::kKb4 ? 4 : 5;
-  SetDistortion(ReadNumbers(root, "distortion_coefficients", 4, max_distortion), camera);
+  SetDistortion(ReadNumbers(root, distortion_key, 4, max_distortion), camera);
   camera.width = static_cast<int>(size[0]);
   camera.height = static_cast<int>(size[1]);
   camera.fx = intrinsics[0];
@@ -84,14 +84,34 @@ CameraParameters ParseCamera(const YAML::Node& root) {
   return camera;
 }
 
-CameraParameters ReadCamera(const fs::path& file) {
+CameraParameters ParseSensor(const YAML::Node& root) {
+  return ParseCamera(root, "distortion_coefficients");
+}
+
+/// As Kalibr writes it.
+CameraParameters ParseCameraChain(const YAML::Node& root) {
+  if (!root["cam0"]) throw Error("cam0 is missing");
+  return ParseCamera(root["cam0"], "distortion_coeffs");
+}
+
+CameraParameters ReadCamera(const fs::path& file, CameraParameters (*parse)(const YAML::Node&)) {
   try {
-    return ParseCamera(LoadSensorYaml(file));
+    return parse(LoadSensorYaml(file));
   } catch (const YAML::Exception& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+/// EuRoC's is in the camera's folder, TUM-VI's beside `mav0`.
+std::optional<CameraParameters> FindCamera(const fs::path& folder) {
+  const fs::path sensor = folder / "sensor.yaml";
+  if (fs::exists(sensor)) return ReadCamera(sensor, ParseSensor);
+  const fs::path root = fs::absolute(folder).lexically_normal().parent_path().parent_path();
+  const fs::path chain = root / "dso" / "camchain.yaml";
+  if (fs::exists(chain)) return ReadCamera(chain, ParseCameraChain);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -110,7 +130,7 @@ ImageList ListEurocImages(const fs::path& input) {
     }
     list.images.push_back({folder / "data" / fields[1], ParseNanoseconds(fields[0], where)});
   }
-  if (fs::exists(folder / "sensor.yaml")) list.camera = ReadCamera(folder / "sensor.yaml");
+  list.camera = FindCamera(folder);
   return list;
 }
 

@@ -15,7 +15,8 @@ namespace corvo {
 bool IsKittiSequence(const std::filesystem::path& input);
 ImageList ListKittiImages(const std::filesystem::path& input);
 
-/// A `mav0` folder, or the one that holds it: `cam0/data.csv`, `cam0/data`, `cam0/sensor.yaml`.
+/// A `mav0` folder, or the one that holds it: `cam0/data.csv`, `cam0/data`, and the calibration in
+/// `cam0/sensor.yaml` (EuRoC) or `dso/camchain.yaml` beside `mav0` (TUM-VI).
 bool IsEurocSequence(const std::filesystem::path& input);
 ImageList ListEurocImages(const std::filesystem::path& input);
 

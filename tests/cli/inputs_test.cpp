@@ -281,6 +281,28 @@ TEST(EurocSequence, EquidistantDistortionIsKb4) {
   EXPECT_EQ(list.camera->p1, 0);
 }
 
+TEST(EurocSequence, TheCalibrationOfTumViLiesBesideMav0) {
+  TempFolder folder;
+  const fs::path room = folder / "dataset-room1_512_16";
+  test::WriteEuroc(room / "mav0", 1);
+  fs::remove(room / "mav0/cam0/sensor.yaml");
+  EXPECT_FALSE(ListImages(room, kFrameRate).camera);
+  WriteText(room / "dso/camchain.yaml",
+            "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.003, 0.0007, -0.002, 0.0002]\n"
+            "  distortion_model: equidistant\n  intrinsics: [40.5, 40.25, 47.5, 31.5]\n"
+            "  resolution: [96, 64]\n");
+  for (const fs::path& input : {room, room / "mav0"}) {
+    const ImageList list = ListImages(input, kFrameRate);
+    ASSERT_TRUE(list.camera) << input;
+    EXPECT_EQ(list.camera->model, CameraModel::kKb4);
+    EXPECT_EQ(list.camera->fy, 40.25);
+    EXPECT_EQ(list.camera->k3, -0.002);
+  }
+  WriteText(room / "dso/camchain.yaml", "cam1:\n  camera_model: pinhole\n");
+  EXPECT_THAT(ErrorOf([&] { ListImages(room, kFrameRate); }),
+              HasSubstr("camchain.yaml: cam0 is missing"));
+}
+
 TEST(ParseResize, TakesASizeOrAFactor) {
   const cv::Size size(640, 481);
   EXPECT_EQ(ParseResize("320x200", size), cv::Size(320, 200));

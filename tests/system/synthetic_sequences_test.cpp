@@ -41,6 +41,21 @@ TEST(SyntheticSequenceTest, Room) { ExpectAccurate(MakeRoom(Film(150, 640, 3)), 
 
 TEST(SyntheticSequenceTest, Street) { ExpectAccurate(MakeStreet(Film(100, 930, 3)), 1.0, 0.95); }
 
+TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
+  SequenceOptions options = Film(60, 0, 3);
+  CameraParameters fisheye;  // As TUM-VI's lens, which sees 80 degrees off its axis and beyond.
+  fisheye.model = CameraModel::kKb4;
+  fisheye.width = fisheye.height = 480;
+  fisheye.fx = fisheye.fy = 180;
+  fisheye.cx = fisheye.cy = 239.5;
+  fisheye.k1 = 0.0035;
+  fisheye.k2 = 0.0007;
+  fisheye.k3 = -0.0021;
+  fisheye.k4 = 0.0002;
+  options.camera = fisheye;
+  ExpectAccurate(MakeRoom(options), 1.0, 0.9);
+}
+
 TEST(SyntheticSequenceTest, PureRotationInventsNoTranslation) {
   const Trajectory trajectory = RunOn(MakePureRotation(Film(60, 640, 3)));
   EXPECT_EQ(trajectory.PosedShare(), 0);
