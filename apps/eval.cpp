@@ -19,9 +19,10 @@ namespace corvo {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
-  corvo eval result/trajectory.tum groundtruth.txt
-  corvo eval result MH_01_easy                       # a run, and the truth that the dataset ships
-  corvo eval result/trajectory.tum poses/03.txt --times sequences/03/times.txt
+  corvo eval result                                  # a run, and the truth that it found
+  corvo eval result MH_01_easy                       # ... and the truth that a dataset ships
+  corvo eval estimate.txt truth.txt
+  corvo eval estimate.txt poses/03.txt --times sequences/03/times.txt
   corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.png
   corvo eval result groundtruth.txt --states tracking --rpe-seconds 2 --json
 
@@ -97,10 +98,10 @@ void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
       .add_option("EST", arguments.files.estimate,
                   "estimated trajectory, or the folder that corvo run wrote")
       ->required();
-  command
-      .add_option("GT", arguments.files.truth,
-                  "ground truth, or the folder of a sequence that has it in its layout")
-      ->required();
+  command.add_option(
+      "GT", arguments.files.truth,
+      "ground truth, or the folder of a sequence that has it in its layout (default: "
+      "what the run in EST was compared with)");
   command.add_option("--times", arguments.files.times, "times of the rows of a KITTI file");
   command
       .add_option("--states", arguments.states,

@@ -16,7 +16,13 @@ fs::path FindEstimate(const fs::path& given) {
   return fs::is_directory(given) ? given / "trajectory.tum" : given;
 }
 
-fs::path FindTruth(const fs::path& given) {
+fs::path FindTruth(const EvalFiles& files) {
+  const fs::path& given = files.truth;
+  if (given.empty()) {
+    const fs::path written = files.estimate / "groundtruth.tum";
+    if (fs::is_regular_file(written)) return written;
+    throw Error(fmt::format("{}: no ground truth: give GT", written.string()));
+  }
   if (!fs::is_directory(given)) return given;
   const fs::path file = FindGroundTruth(given);
   if (file.empty()) {
@@ -31,6 +37,7 @@ fs::path FindTruth(const fs::path& given) {
 /// --times, or else the times.txt of the KITTI sequence whose folder was given.
 fs::path FindTimes(const EvalFiles& files) {
   if (!files.times.empty()) return files.times;
+  if (files.truth.empty()) return {};
   const fs::path times = files.truth / "times.txt";
   return fs::is_regular_file(times) ? times : fs::path();
 }
@@ -49,7 +56,7 @@ PoseSequence WithTimesOf(const PoseFile& poses, const fs::path& file, const fs::
 }  // namespace
 
 EvalInputs ReadEvalInputs(const EvalFiles& files) {
-  EvalInputs inputs{FindEstimate(files.estimate), FindTruth(files.truth), {}, {}};
+  EvalInputs inputs{FindEstimate(files.estimate), FindTruth(files), {}, {}};
   const PoseFile estimate = ReadPoseFile(inputs.estimate_file);
   const PoseFile truth = ReadTruthFile(inputs.truth_file);
   const fs::path times = FindTimes(files);

@@ -9,7 +9,8 @@ namespace corvo {
 /// What `corvo eval` compares. Empty paths were not given.
 struct EvalFiles {
   std::filesystem::path estimate;  ///< A file of poses, or the folder that `corvo run` wrote.
-  std::filesystem::path truth;     ///< A file of poses, or a sequence's folder in its layout.
+  std::filesystem::path truth;     ///< A file of poses, or a sequence's folder in its layout;
+                                   ///< without it, the groundtruth.tum that `corvo run` wrote.
   std::filesystem::path times;     ///< Of the rows of a file in KITTI format.
 };
 

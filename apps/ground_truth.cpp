@@ -1,10 +1,15 @@
 #include "apps/ground_truth.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "apps/body_from_camera.h"
+#include "apps/image_layouts.h"
 #include "apps/pose_file.h"
 #include "orb/error.h"
+#include "vo/text_lines.h"
 #include "vo/trajectory_io.h"
 
 namespace corvo {
@@ -38,6 +43,43 @@ PoseSequence ReadBodyTruth(const fs::path& file) {
   return poses;
 }
 
+/// In natural order.
+std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
+  constexpr std::string_view kEnd = ".pose.txt";
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool ends = name.size() > kEnd.size() &&
+                      name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+    if (ends) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return NaturalLess(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+/// world_from_camera as a 4x4 matrix, a row a line.
+SE3 ReadPoseMatrix(const fs::path& file) {
+  std::vector<double> numbers;
+  for (const TextLine& line : ReadTextLines(file)) {
+    for (const std::string& field : SplitFields(line.text, ' ')) {
+      numbers.push_back(ParseNumber(field, LinePrefix(file, line)));
+    }
+  }
+  if (numbers.size() != 16) {
+    throw Error(fmt::format("{}: {} numbers; a 4x4 matrix has 16", file.string(), numbers.size()));
+  }
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(numbers.data());
+  return SE3(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
+}
+
+std::vector<SE3> ReadPoseMatrices(const fs::path& folder) {
+  std::vector<SE3> poses;
+  for (const fs::path& file : PoseFilesIn(folder)) poses.push_back(ReadPoseMatrix(file));
+  return poses;
+}
+
 }  // namespace
 
 fs::path FindGroundTruth(const fs::path& input) {
@@ -50,10 +92,11 @@ fs::path FindGroundTruth(const fs::path& input) {
         folder / kMonoTruth}) {
     if (fs::is_regular_file(file)) return file;
   }
-  return {};
+  return PoseFilesIn(folder).empty() ? fs::path() : folder;
 }
 
 PoseFile ReadTruthFile(const fs::path& file) {
+  if (fs::is_directory(file)) return PoseFile(ReadPoseMatrices(file));
   if (file.filename() == kMonoTruth) return PoseFile(ReadTumWithGaps(file));
   return IsEurocPoseFile(file) ? PoseFile(ReadBodyTruth(file)) : ReadPoseFile(file);
 }

@@ -73,6 +73,7 @@ void WriteJson(const nlohmann::ordered_json& json, const char* name, const Outpu
 void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
                   const RunSummary& summary, OutputFolder& output) {
   WriteTrajectories(record.trajectory, output);
+  if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
@@ -82,8 +83,8 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
     spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
   output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
-                 "map.ply", "frames.csv", "timing.csv", "config.yaml", "environment.json",
-                 "trajectory.png", "summary.json"});
+                 "groundtruth.tum", "map.ply", "frames.csv", "timing.csv", "config.yaml",
+                 "environment.json", "trajectory.png", "summary.json"});
 }
 
 }  // namespace corvo

@@ -116,7 +116,11 @@ TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
   const nlohmann::json report = Measure({folder_ / "result", folder_ / "kitti/sequences/07"});
   EXPECT_EQ(report["pairs"], kCount);
   EXPECT_EQ(report["truth"], (folder_ / "kitti/poses/07.txt").string());
-  ExpectError(RunCorvo({"eval", estimate_, folder_ / "result"}), "result: no ground truth where");
+  ExpectError(RunCorvo({"eval", folder_ / "result"}), "groundtruth.tum: no ground truth: give GT");
+  WriteText(folder_ / "result/groundtruth.tum", truth_text_);
+  EXPECT_EQ(Measure({folder_ / "result"})["pairs"], kCount);
+  ExpectError(RunCorvo({"eval", estimate_}), "no ground truth: give GT");
+  ExpectError(RunCorvo({"eval", estimate_, folder_ / "kitti"}), "kitti: no ground truth where");
 }
 
 TEST_F(Eval, ComparesWhatIsWithinHalfAFrame) {

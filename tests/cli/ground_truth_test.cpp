@@ -99,6 +99,21 @@ TEST_F(GroundTruth, OfKittiHasAPoseForEveryFrame) {
               HasSubstr("03.txt: 2 poses for a sequence of 3 frames"));
 }
 
+TEST_F(GroundTruth, Of7ScenesIsAFileAFrame) {
+  const char* matrix = "1 0 0 {}\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  Add("seq-01/frame-2.pose.txt", fmt::format(fmt::runtime(matrix), 8));
+  Add("seq-01/frame-10.pose.txt", fmt::format(fmt::runtime(matrix), 9));
+  const fs::path truth = FindGroundTruth(folder_ / "seq-01");
+  EXPECT_EQ(truth, folder_ / "seq-01");
+  const PoseSequence poses = ReadGroundTruth(truth, {5, 6});
+  ASSERT_EQ(poses.size(), 2);
+  EXPECT_EQ(poses[1].world_from_camera.translation().x(), 9);
+  EXPECT_THAT(ErrorOf([&] { ReadGroundTruth(truth, {5}); }), HasSubstr("seq-01: 2 poses for"));
+  Add("seq-01/frame-11.pose.txt", "1 2 3\n");
+  EXPECT_THAT(ErrorOf([&] { ReadGroundTruth(truth, {5}); }),
+              HasSubstr("frame-11.pose.txt: 3 numbers"));
+}
+
 TEST_F(GroundTruth, OfTumMonoHasGaps) {
   const fs::path file = Add("groundtruthSync.txt",
                             "1 0 0 0 0 0 0 1\n2 NaN NaN NaN NaN NaN NaN NaN\n3 1 0 0 0 0 0 1\n");

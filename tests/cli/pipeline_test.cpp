@@ -89,6 +89,8 @@ TEST_F(Pipeline, PosesEveryFrameOfAStreet) {
 TEST_F(Pipeline, EvalSaysWhatRunSays) {
   const CommandResult eval = RunCorvo({"eval", Result() / "trajectory.tum", Truth(), "--json"});
   const auto measured = nlohmann::json::parse(eval.out);
+  const CommandResult again = RunCorvo({"eval", Result(), Result() / "groundtruth.tum", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(again.out)["ate"], measured["ate"]);
   const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   EXPECT_NEAR(measured["ate"]["rmse"], summary["evaluation"]["ate"]["rmse"], 1e-9);
 }
