@@ -88,6 +88,10 @@ Sequence MakeStreet(const SequenceOptions& options = {});
 /// One plane fills the view: the camera moves to and fro before a painted wall. 640x480 at 30 Hz.
 Sequence MakePlanarWall(const SequenceOptions& options = {});
 
+/// A walk down a corridor with little texture: plain walls, doors, lamps, and a notice here and
+/// there; 25 m to and fro. 640x480 at 30 Hz, hand-held.
+Sequence MakeCorridor(const SequenceOptions& options = {});
+
 /// The room, from a camera that turns about its own centre and does not move. 640x480 at 30 Hz.
 Sequence MakePureRotation(const SequenceOptions& options = {});
 

@@ -1,13 +1,13 @@
 #include "apps/synthetic/writer.h"
 
-#include <fstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "apps/synthetic/euroc_layout.h"
+#include "apps/synthetic/files.h"
 #include "orb/error.h"
 
 namespace corvo::synthetic {
@@ -16,19 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMarker = "synthetic.yaml";
-
-void MakeFolder(const fs::path& folder) {
-  std::error_code code;
-  fs::create_directories(folder, code);
-  if (code) throw Error(fmt::format("{}: {}", folder.string(), code.message()));
-}
-
-void WriteText(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw Error(fmt::format("{}: cannot be written", file.string()));
-}
 
 void WritePicture(const fs::path& file, const cv::Mat& image) {
   if (!cv::imwrite(file.string(), image)) {
@@ -49,7 +36,8 @@ void ClaimFolder(const fs::path& folder, bool force) {
   }
   MakeFolder(folder);
   if (fs::exists(folder / kMarker)) {
-    for (const char* name : {"rgb", "rgb.txt", "groundtruth.txt", "sequences/00", "poses/00.txt"}) {
+    for (const char* name :
+         {"rgb", "rgb.txt", "groundtruth.txt", "sequences/00", "poses/00.txt", "mav0"}) {
       fs::remove_all(folder / name);
     }
   } else if (!fs::is_empty(folder) && !force) {
@@ -71,10 +59,14 @@ std::string CameraYaml(const Sequence& sequence) {
 
 std::string Description(const Sequence& sequence) {
   const SequenceOptions& options = sequence.options();
+  const Effects& effects = options.effects;
   return fmt::format(
-      "scene: {}\nfingerprint: {:016x}\nframes: {}\nnoise_sigma: {}\nnoise_seed: {}\n",
+      "scene: {}\nfingerprint: {:016x}\nframes: {}\nnoise_sigma: {}\nnoise_seed: {}\n"
+      "dark_s: [{}, {}]\nblur_s: [{}, {}]\nexposure_drift: {}\nvignetting: {}\n"
+      "moving_share: {}\n",
       sequence.name(), sequence.scene().Fingerprint(), options.frames, options.noise_sigma,
-      options.noise_seed);
+      options.noise_seed, effects.dark.start_s, effects.dark.duration_s, effects.blur.start_s,
+      effects.blur.duration_s, effects.exposure_drift, effects.vignetting, effects.moving_share);
 }
 
 std::string TumPose(const TimedPose& pose) {
@@ -102,7 +94,22 @@ void WriteTumTexts(const Sequence& sequence, const fs::path& folder) {
   WriteText(folder / "groundtruth.txt", truth);
 }
 
+/// Throws where the layout has no words for the camera.
+void CheckLayout(const CameraParameters& camera, Layout layout) {
+  const bool pinhole = camera.model == CameraModel::kPinhole;
+  const bool distorted = !pinhole || camera.k1 != 0 || camera.k2 != 0 || camera.p1 != 0 ||
+                         camera.p2 != 0 || camera.k3 != 0;
+  if (layout == Layout::kKitti && distorted) {
+    throw Error("layout is kitti, whose camera has no distortion; this one has");
+  }
+  if (layout == Layout::kEuroc && !pinhole) {
+    throw Error(fmt::format("layout is euroc, whose camera is pinhole-radtan; this one is {}",
+                            ToString(camera.model)));
+  }
+}
+
 void WriteKittiTexts(const Sequence& sequence, const fs::path& folder) {
+  MakeFolder(folder / "sequences/00");
   std::string times, poses, calibration;
   for (const TimedPose& pose : sequence.poses()) {
     times += Seconds(pose.time_ns) + "\n";
@@ -121,18 +128,31 @@ void WriteKittiTexts(const Sequence& sequence, const fs::path& folder) {
 fs::path PictureFile(const Sequence& sequence, Layout layout, int frame) {
   if (layout == Layout::kKitti) return fmt::format("sequences/00/image_0/{:06}.png", frame);
   const TimeNs time_ns = sequence.poses()[static_cast<std::size_t>(frame)].time_ns;
+  if (layout == Layout::kEuroc) return EurocPicture(time_ns);
   return fmt::format("rgb/{}.png", Seconds(time_ns));
+}
+
+void WriteTexts(const Sequence& sequence, const fs::path& folder, Layout layout) {
+  switch (layout) {
+    case Layout::kTum:
+      return WriteTumTexts(sequence, folder);
+    case Layout::kKitti:
+      return WriteKittiTexts(sequence, folder);
+    case Layout::kEuroc:
+      return WriteEurocTexts(sequence, folder);
+  }
 }
 
 }  // namespace
 
 void WriteSequence(const Sequence& sequence, const fs::path& folder, Layout layout, bool force,
                    const std::function<void(int)>& progress) {
+  CheckLayout(sequence.camera().parameters(), layout);
   ClaimFolder(folder, force);
   WriteText(folder / kMarker, Description(sequence));
   WriteText(folder / "camera.yaml", CameraYaml(sequence));
+  WriteTexts(sequence, folder, layout);
   MakeFolder((folder / PictureFile(sequence, layout, 0)).parent_path());
-  layout == Layout::kTum ? WriteTumTexts(sequence, folder) : WriteKittiTexts(sequence, folder);
   for (int i = 0; i < sequence.size(); ++i) {
     WritePicture(folder / PictureFile(sequence, layout, i), sequence.Render(i));
     if (progress) progress(i + 1);

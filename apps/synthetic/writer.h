@@ -10,6 +10,8 @@ namespace corvo::synthetic {
 enum class Layout {
   kTum,    ///< TUM RGB-D: rgb.txt, rgb/<seconds>.png, groundtruth.txt.
   kKitti,  ///< KITTI odometry: sequences/00/{image_0/%06d.png, times.txt, calib.txt}, poses/00.txt.
+  kEuroc,  ///< EuRoC: mav0/{cam0/{data/<ns>.png, data.csv, sensor.yaml},
+           ///< state_groundtruth_estimate0/data.csv}.
 };
 
 /// Writes the pictures and the truth of a sequence, `camera.yaml` (corvo's camera file) and
@@ -17,8 +19,8 @@ enum class Layout {
 /// is called with the number of frames done.
 ///
 /// A sequence that was written here before is replaced. Any other folder must be empty or absent,
-/// unless `force`: then files of the same names are overwritten. Throws corvo::Error otherwise, and
-/// where nothing can be written.
+/// unless `force`: then files of the same names are overwritten. Throws corvo::Error otherwise,
+/// where the layout cannot describe the camera, and where nothing can be written.
 void WriteSequence(const Sequence& sequence, const std::filesystem::path& folder, Layout layout,
                    bool force = false, const std::function<void(int)>& progress = nullptr);
 

@@ -171,22 +171,30 @@ TEST_P(EveryScene, IsPhotometricallyConsistent) {
   EXPECT_LT(MedianPhotometricError(sequence, 2, 3), 1.5);
 }
 
+class TexturedScene : public EveryScene {};
+
 /// As many corners as real pictures have, as repeatable as theirs: on KITTI 03 and 05, and on
 /// 7-Scenes, 65% to 82% of the corners that optical flow can follow come back.
-TEST_P(EveryScene, HasRealisticCorners) {
+TEST_P(TexturedScene, HasRealisticCorners) {
   const Sequence sequence = GetParam().make(Small(2, GetParam().width));
   EXPECT_GT(Corners(sequence.Render(0)).size(), 1000u);
   EXPECT_GT(Repeatability(sequence, 0), 0.65);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, EveryScene,
-    ::testing::Values(
-        SceneCase{"room", MakeRoom, 480, 0x098567f0545c54cbU, 0x3262a8aedc25b698U},
-        SceneCase{"street", MakeStreet, 1241, 0xcf339a94fcc6f22cU, 0x8415c19f6daad9ebU},
-        SceneCase{"wall", MakePlanarWall, 480, 0xc9ee95895556300aU, 0x95c11b171b4e0ef7U},
-        SceneCase{"rotation", MakePureRotation, 480, 0x098567f0545c54cbU, 0x38a970d1a50aa0e7U}),
-    [](const auto& test) { return std::string(test.param.name); });
+const SceneCase kRoom = {"room", MakeRoom, 480, 0x098567f0545c54cbU, 0x3262a8aedc25b698U};
+const SceneCase kStreet = {"street", MakeStreet, 1241, 0xcf339a94fcc6f22cU, 0x8415c19f6daad9ebU};
+const SceneCase kWall = {"wall", MakePlanarWall, 480, 0xc9ee95895556300aU, 0x95c11b171b4e0ef7U};
+const SceneCase kRotation = {"rotation", MakePureRotation, 480, 0x098567f0545c54cbU,
+                             0x38a970d1a50aa0e7U};
+const SceneCase kCorridor = {"corridor", MakeCorridor, 480, 0x8da3a5b55eac9539U,
+                             0x3c96623fd2ffded3U};
+
+std::string NameOf(const testing::TestParamInfo<SceneCase>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
+                         testing::Values(kRoom, kStreet, kWall, kRotation, kCorridor), NameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, TexturedScene, testing::Values(kRoom, kStreet, kWall, kRotation),
+                         NameOf);
 
 TEST(Room, IsALoopOfEightMetresAtWalkingPace) {
   const Sequence room = MakeRoom(Small(301, 64));
@@ -241,6 +249,29 @@ TEST(Street, IsClear) {
   }
 }
 
+/// A tenth of the corners of a room, but not none.
+TEST(Corridor, HasLittleTexture) {
+  const cv::Mat corridor = MakeCorridor(Small(1, 640)).Render(0);
+  const std::size_t corners = Corners(corridor).size();
+  EXPECT_GT(corners, 20u);
+  EXPECT_LT(corners, Corners(MakeRoom(Small(1, 640)).Render(0)).size() / 10);
+}
+
+TEST(Corridor, IsWalkedDownWithoutMeetingAWall) {
+  const Sequence corridor = MakeCorridor(Small(4500, 64));
+  double farthest = 0;
+  for (std::size_t i = 1; i < corridor.poses().size(); ++i) {
+    EXPECT_LT(Motion(corridor, i - 1, i).translation().norm(), 0.06);
+    farthest = std::max(farthest, Motion(corridor, 0, i).translation().norm());
+  }
+  EXPECT_GT(farthest, 40);
+  for (int i = 0; i < corridor.size(); i += 250) {
+    double nearest = 0;
+    cv::minMaxLoc(corridor.RenderDepth(i), &nearest, nullptr);
+    EXPECT_GT(nearest, 0.5) << "frame " << i;
+  }
+}
+
 /// Between two views of a plane n . x = d the map is H = R + t nᵀ / d.
 TEST(PlanarWall, IsRelatedByAHomography) {
   const Sequence wall = MakePlanarWall(Small(40, 320));
@@ -269,14 +300,33 @@ TEST(PureRotation, NeverMoves) {
   EXPECT_GT(widest, 30 * kDegree);
 }
 
-TEST(Sequence, IsFilmedThroughTheOptionsCamera) {
+class EveryLens : public testing::TestWithParam<CameraModel> {};
+
+/// The picture is the one the camera's own equations say.
+TEST_P(EveryLens, FilmsWhatItsCameraProjects) {
+  CameraParameters lens = MakePlanarWall(Small(1, 320)).camera().parameters();
+  lens.model = GetParam();
+  if (GetParam() == CameraModel::kFov) {
+    lens.omega = 0.9;
+  } else {
+    lens.k1 = -0.2;
+    lens.k2 = 0.05;
+  }
   SequenceOptions options = Small(3, 320);
-  options.camera = MakePlanarWall(options).camera().parameters();
-  options.camera->k1 = -0.2;
-  const Sequence distorted = MakePlanarWall(options);
-  EXPECT_EQ(distorted.camera().parameters(), *options.camera);
-  EXPECT_LT(MedianPhotometricError(distorted, 1, 2), 1.5);
+  options.camera = lens;
+  const Sequence sequence = MakePlanarWall(options);
+  EXPECT_EQ(sequence.camera().parameters(), lens);
+  EXPECT_LT(MedianPhotometricError(sequence, 1, 2), 1.5);
 }
+
+INSTANTIATE_TEST_SUITE_P(Lenses, EveryLens,
+                         testing::Values(CameraModel::kPinhole, CameraModel::kKb4,
+                                         CameraModel::kFov),
+                         [](const auto& test) {
+                           std::string name(ToString(test.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 class NoisyWall : public ::testing::Test {
  protected:

@@ -7,10 +7,13 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
+#include "apps/ground_truth.h"
 #include "apps/image_source.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/temp_folder.h"
 #include "tests/support/matchers.h"
+#include "vo/config.h"
+#include "vo/trajectory_io.h"
 
 namespace corvo::synthetic {
 namespace {
@@ -57,6 +60,55 @@ TEST(WriteSequence, KittiLayoutIsReadBack) {
   EXPECT_EQ(list.layout, "kitti");
   ExpectSamePictures(list, sequence);
   EXPECT_EQ(list.camera, sequence.camera().parameters());
+}
+
+TEST(WriteSequence, EurocLayoutIsReadBack) {
+  const TempFolder folder;
+  SequenceOptions options;
+  options.frames = 3;
+  options.camera = ShortWall().camera().parameters();
+  options.camera->k1 = -0.3;
+  options.camera->p2 = 0.001;
+  const Sequence sequence = MakePlanarWall(options);
+  WriteSequence(sequence, folder.path(), Layout::kEuroc);
+  const ImageList list = ListImages(folder / "mav0", 1);
+  EXPECT_EQ(list.layout, "euroc");
+  ExpectSamePictures(list, sequence);
+  EXPECT_EQ(list.camera, sequence.camera().parameters());
+}
+
+TEST(WriteSequence, EurocTruthIsABodysAndFindsBackToTheCamera) {
+  const TempFolder folder;
+  const Sequence sequence = ShortWall();
+  WriteSequence(sequence, folder.path(), Layout::kEuroc);
+  const auto file = FindGroundTruth(folder / "mav0");
+  ASSERT_FALSE(file.empty());
+  EXPECT_GT(ReadEurocPoses(file)[0].world_from_camera.rotation().Angle(), 1);
+  const PoseSequence truth = ReadGroundTruth(file, {});
+  ASSERT_EQ(truth.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(truth[i].time_ns, sequence.poses()[i].time_ns);
+    EXPECT_THAT(truth[i].world_from_camera,
+                IsPoseNear(sequence.poses()[i].world_from_camera, 1e-6, 1e-9));
+  }
+}
+
+TEST(WriteSequence, RefusesCamerasThatTheLayoutCannotDescribe) {
+  const TempFolder folder;
+  SequenceOptions options;
+  options.frames = 1;
+  options.camera = ShortWall().camera().parameters();
+  options.camera->k1 = 0.01;
+  EXPECT_THAT(
+      ErrorOf([&] { WriteSequence(MakePlanarWall(options), folder / "kitti", Layout::kKitti); }),
+      HasSubstr("layout is kitti"));
+  options.camera->model = CameraModel::kKb4;
+  EXPECT_THAT(
+      ErrorOf([&] { WriteSequence(MakePlanarWall(options), folder / "euroc", Layout::kEuroc); }),
+      AllOf(HasSubstr("layout is euroc"), HasSubstr("kb4")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  WriteSequence(MakePlanarWall(options), folder / "tum", Layout::kTum);
+  EXPECT_EQ(ReadCameraFile(folder / "tum/camera.yaml").camera.parameters(), *options.camera);
 }
 
 TEST(WriteSequence, TumTruthIsExact) {

@@ -1,0 +1,65 @@
+#include "apps/synthetic/euroc_layout.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/synthetic/files.h"
+#include "vo/trajectory_io.h"
+
+namespace corvo::synthetic {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The body looks along its x axis, with z up, and carries the camera a little before and above it.
+SE3 BodyFromCamera() {
+  Eigen::Matrix3d rotation;
+  rotation << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return SE3(SO3(rotation), Eigen::Vector3d(0.12, -0.03, 0.05));
+}
+
+std::string MatrixText(const Eigen::Matrix4d& matrix) {
+  std::vector<double> entries;
+  for (int i = 0; i < 16; ++i) entries.push_back(matrix(i / 4, i % 4));
+  return fmt::format("[{}]", fmt::join(entries, ", "));
+}
+
+std::string SensorYaml(const Sequence& sequence) {
+  const CameraParameters& camera = sequence.camera().parameters();
+  std::vector<double> distortion = {camera.k1, camera.k2, camera.p1, camera.p2};
+  if (camera.k3 != 0) distortion.push_back(camera.k3);
+  return fmt::format(
+      "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: {}\nrate_hz: {}\n"
+      "resolution: [{}, {}]\ncamera_model: pinhole\nintrinsics: [{}, {}, {}, {}]\n"
+      "distortion_model: radial-tangential\ndistortion_coefficients: [{}]\n",
+      MatrixText(BodyFromCamera().matrix()), sequence.frame_rate_hz(), camera.width, camera.height,
+      camera.fx, camera.fy, camera.cx, camera.cy, fmt::join(distortion, ", "));
+}
+
+PoseSequence BodyPoses(const Sequence& sequence) {
+  const SE3 camera_from_body = BodyFromCamera().Inverse();
+  PoseSequence poses = sequence.poses();
+  for (TimedPose& pose : poses) pose.world_from_camera = pose.world_from_camera * camera_from_body;
+  return poses;
+}
+
+}  // namespace
+
+fs::path EurocPicture(TimeNs time_ns) { return fmt::format("mav0/cam0/data/{}.png", time_ns); }
+
+void WriteEurocTexts(const Sequence& sequence, const fs::path& folder) {
+  std::string pictures = "#timestamp [ns],filename\n";
+  for (const TimedPose& pose : sequence.poses()) {
+    pictures += fmt::format("{0},{0}.png\n", pose.time_ns);
+  }
+  const fs::path truth = folder / "mav0/state_groundtruth_estimate0";
+  MakeFolder(folder / "mav0/cam0");
+  MakeFolder(truth);
+  WriteText(folder / "mav0/cam0/data.csv", pictures);
+  WriteText(folder / "mav0/cam0/sensor.yaml", SensorYaml(sequence));
+  WriteEurocPoses(truth / "data.csv", BodyPoses(sequence));
+}
+
+}  // namespace corvo::synthetic

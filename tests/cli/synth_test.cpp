@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+
+#include "tests/cli/command.h"
+#include "tests/cli/tiny_sequence.h"
+
+namespace corvo::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// `corvo synth <scene> -o <folder>`, tiny and short, and further arguments.
+CommandResult Synth(const std::string& scene, const std::filesystem::path& folder,
+                    const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"synth", scene, "-o", folder, "--frames", "2"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return RunCorvo(arguments);
+}
+
+TEST(Synth, TellsWhatItRendered) {
+  const TempFolder folder;
+  const CommandResult result =
+      Synth("corridor", folder.path(),
+            {"--width", "96", "--noise", "2", "--seed", "7", "--dark", "4,2", "--blur", "0.5,1.5",
+             "--drift", "1", "--vignetting", "0.5", "--moving", "0.25"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(
+      ReadText(folder / "synthetic.yaml"),
+      AllOf(HasSubstr("scene: corridor\n"), HasSubstr("frames: 2\n"), HasSubstr("noise_sigma: 2\n"),
+            HasSubstr("noise_seed: 7\n"), HasSubstr("dark_s: [4, 2]\n"),
+            HasSubstr("blur_s: [0.5, 1.5]\n"), HasSubstr("exposure_drift: 1\n"),
+            HasSubstr("vignetting: 0.5\n"), HasSubstr("moving_share: 0.25\n")));
+}
+
+TEST(Synth, FilmsThroughAnyCamera) {
+  const TempFolder folder;
+  const std::string camera =
+      "model: kb4\nwidth: 80\nheight: 60\nfx: 40\nfy: 40\ncx: 39.5\ncy: 29.5\n"
+      "k1: 0.01\nk2: 0\nk3: 0\nk4: 0\n";
+  WriteText(folder / "camera.yaml", camera);
+  const CommandResult result = Synth("room", folder / "out", {"--camera", folder / "camera.yaml"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(ReadText(folder / "out/camera.yaml"), camera + "frame_rate_hz: 30\n");
+  EXPECT_EQ(cv::imread(folder / "out/rgb/0.000000000.png").size(), cv::Size(80, 60));
+}
+
+TEST(Synth, EurocSequencesNeedNoCameraFile) {
+  const TempFolder folder;
+  ASSERT_EQ(Synth("wall", folder / "wall", {"--width", "96", "--layout", "euroc"}).exit_code, 0);
+  const CommandResult run = RunCorvo({"run", folder / "wall/mav0", "-o", folder / "result"});
+  EXPECT_EQ(run.exit_code, 2) << run.err;  // Two frames: no pose yet.
+}
+
+TEST(Synth, ValuesOutOfRangeAreNamed) {
+  const TempFolder folder;
+  for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "exposure_drift is 9"},
+                                               {"--moving", "1", "moving_share is 1"},
+                                               {"--dark", "-1,2", "dark start is -1"},
+                                               {"--blur", "1", "--blur"},
+                                               {"--layout", "bag", "bag"}}) {
+    const CommandResult result = Synth("room", folder / "out", {option, value});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, AllOf(StartsWith("corvo: error: "), HasSubstr(message)));
+  }
+}
+
+}  // namespace
+}  // namespace corvo::test
