@@ -26,16 +26,25 @@ std::string MatrixText(const Eigen::Matrix4d& matrix) {
   return fmt::format("[{}]", fmt::join(entries, ", "));
 }
 
+/// In the words of EuRoC, and for kb4 in those of Kalibr.
+std::string DistortionText(const CameraParameters& camera) {
+  if (camera.model == CameraModel::kKb4) {
+    return fmt::format("distortion_model: equidistant\ndistortion_coefficients: [{}, {}, {}, {}]\n",
+                       camera.k1, camera.k2, camera.k3, camera.k4);
+  }
+  std::vector<double> coefficients = {camera.k1, camera.k2, camera.p1, camera.p2};
+  if (camera.k3 != 0) coefficients.push_back(camera.k3);
+  return fmt::format("distortion_model: radial-tangential\ndistortion_coefficients: [{}]\n",
+                     fmt::join(coefficients, ", "));
+}
+
 std::string SensorYaml(const Sequence& sequence) {
   const CameraParameters& camera = sequence.camera().parameters();
-  std::vector<double> distortion = {camera.k1, camera.k2, camera.p1, camera.p2};
-  if (camera.k3 != 0) distortion.push_back(camera.k3);
   return fmt::format(
       "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: {}\nrate_hz: {}\n"
-      "resolution: [{}, {}]\ncamera_model: pinhole\nintrinsics: [{}, {}, {}, {}]\n"
-      "distortion_model: radial-tangential\ndistortion_coefficients: [{}]\n",
+      "resolution: [{}, {}]\ncamera_model: pinhole\nintrinsics: [{}, {}, {}, {}]\n{}",
       MatrixText(BodyFromCamera().matrix()), sequence.frame_rate_hz(), camera.width, camera.height,
-      camera.fx, camera.fy, camera.cx, camera.cy, fmt::join(distortion, ", "));
+      camera.fx, camera.fy, camera.cx, camera.cy, DistortionText(camera));
 }
 
 PoseSequence BodyPoses(const Sequence& sequence) {

@@ -102,9 +102,8 @@ void CheckLayout(const CameraParameters& camera, Layout layout) {
   if (layout == Layout::kKitti && distorted) {
     throw Error("layout is kitti, whose camera has no distortion; this one has");
   }
-  if (layout == Layout::kEuroc && !pinhole) {
-    throw Error(fmt::format("layout is euroc, whose camera is pinhole-radtan; this one is {}",
-                            ToString(camera.model)));
+  if (layout == Layout::kEuroc && camera.model == CameraModel::kFov) {
+    throw Error("layout is euroc, whose camera is pinhole-radtan or kb4; this one is fov");
   }
 }
 

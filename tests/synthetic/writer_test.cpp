@@ -63,18 +63,21 @@ TEST(WriteSequence, KittiLayoutIsReadBack) {
 }
 
 TEST(WriteSequence, EurocLayoutIsReadBack) {
-  const TempFolder folder;
   SequenceOptions options;
   options.frames = 3;
-  options.camera = ShortWall().camera().parameters();
-  options.camera->k1 = -0.3;
-  options.camera->p2 = 0.001;
-  const Sequence sequence = MakePlanarWall(options);
-  WriteSequence(sequence, folder.path(), Layout::kEuroc);
-  const ImageList list = ListImages(folder / "mav0", 1);
-  EXPECT_EQ(list.layout, "euroc");
-  ExpectSamePictures(list, sequence);
-  EXPECT_EQ(list.camera, sequence.camera().parameters());
+  for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kKb4}) {
+    const TempFolder folder;
+    options.camera = ShortWall().camera().parameters();
+    options.camera->model = model;
+    options.camera->k1 = -0.2;
+    (model == CameraModel::kKb4 ? options.camera->k4 : options.camera->p2) = 0.001;
+    const Sequence sequence = MakePlanarWall(options);
+    WriteSequence(sequence, folder.path(), Layout::kEuroc);
+    const ImageList list = ListImages(folder / "mav0", 1);
+    EXPECT_EQ(list.layout, "euroc");
+    ExpectSamePictures(list, sequence);
+    EXPECT_EQ(list.camera, sequence.camera().parameters());
+  }
 }
 
 TEST(WriteSequence, EurocTruthIsABodysAndFindsBackToTheCamera) {
@@ -102,10 +105,12 @@ TEST(WriteSequence, RefusesCamerasThatTheLayoutCannotDescribe) {
   EXPECT_THAT(
       ErrorOf([&] { WriteSequence(MakePlanarWall(options), folder / "kitti", Layout::kKitti); }),
       HasSubstr("layout is kitti"));
-  options.camera->model = CameraModel::kKb4;
+  options.camera->model = CameraModel::kFov;
+  options.camera->k1 = 0;
+  options.camera->omega = 0.5;
   EXPECT_THAT(
       ErrorOf([&] { WriteSequence(MakePlanarWall(options), folder / "euroc", Layout::kEuroc); }),
-      AllOf(HasSubstr("layout is euroc"), HasSubstr("kb4")));
+      AllOf(HasSubstr("layout is euroc"), HasSubstr("fov")));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   WriteSequence(MakePlanarWall(options), folder / "tum", Layout::kTum);
   EXPECT_EQ(ReadCameraFile(folder / "tum/camera.yaml").camera.parameters(), *options.camera);
