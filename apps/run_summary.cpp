@@ -12,6 +12,7 @@
 #include "apps/kitti_trajectory.h"
 #include "apps/reasons.h"
 #include "orb/error.h"
+#include "orb/pyramid.h"
 
 namespace corvo {
 namespace {
@@ -64,6 +65,30 @@ std::string ReasonsText(const RunSummary& summary) {
   return text;
 }
 
+std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Map& map) {
+  const orb::ExtractorOptions& extractor = inputs.options.extractor;
+  const auto residuals = MeasureResiduals(
+      map, inputs.camera, orb::OctaveScales(extractor.num_levels, extractor.scale_factor));
+  if (residuals && IsImplausible(*residuals)) {
+    spdlog::warn(
+        "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
+        "2 px at most are expected); check the camera's focal length, centre and distortion",
+        residuals->median_px, residuals->num_matches);
+  }
+  return residuals;
+}
+
+/// What was asked for of --start --every --count --resize --mask --fps.
+void AddInputJson(const RunArguments& arguments, Json& json) {
+  const Selection& selection = arguments.selection;
+  if (selection.start != 0) json["start"] = selection.start;
+  if (selection.every != 1) json["every"] = selection.every;
+  if (selection.count) json["count"] = *selection.count;
+  if (!arguments.resize.empty()) json["resize"] = arguments.resize;
+  if (!arguments.mask.empty()) json["mask"] = arguments.mask.string();
+  if (arguments.frame_rate_hz) json["fps"] = *arguments.frame_rate_hz;
+}
+
 /// None where too little is posed to be compared.
 std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth,
                                       const EvaluationOptions& options) {
@@ -89,6 +114,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
+  summary.residuals = MeasureAndWarn(inputs, map);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     if (arguments.max_dt_s) options.max_dt_ns = std::llround(1e9 * *arguments.max_dt_s);
@@ -103,6 +129,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["exit_code"] = static_cast<int>(summary.outcome);
   json["input"] = arguments.input.string();
   json["layout"] = inputs.source.list().layout;
+  AddInputJson(arguments, json);
   json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
   json["camera"] = CameraJson(inputs.camera.parameters());
   json["frames"] = summary.num_frames;
@@ -111,6 +138,11 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["segments"] = summary.num_segments;
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
+  if (summary.residuals) {
+    json["residuals"] = {{"matches", summary.residuals->num_matches},
+                         {"median_px", summary.residuals->median_px},
+                         {"implausible_calibration", IsImplausible(*summary.residuals)}};
+  }
   json["states"] = CountsJson(summary.states);
   json["reasons"] = CountsJson(summary.reasons);
   json["trajectory_kitti"] =

@@ -10,6 +10,7 @@
 #include "apps/run_inputs.h"
 #include "apps/run_record.h"
 #include "vo/evaluation.h"
+#include "vo/residuals.h"
 
 namespace corvo {
 
@@ -22,11 +23,13 @@ struct RunSummary {
   int num_keyframes = 0;
   int num_landmarks = 0;
   std::map<State, int> states;
-  std::map<Reason, int> reasons;         ///< Of the frames that are not posed.
-  std::string why_not_kitti;             ///< Why there is no trajectory.kitti; empty if there is.
+  std::map<Reason, int> reasons;  ///< Of the frames that are not posed.
+  std::string why_not_kitti;      ///< Why there is no trajectory.kitti; empty if there is.
+  std::optional<MatchResiduals> residuals;
   std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
 };
 
+/// Warns of a calibration that does not fit the pictures.
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
                      const Trajectory& trajectory, const Map& map);
 

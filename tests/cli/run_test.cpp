@@ -6,6 +6,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -279,6 +280,30 @@ TEST_F(Run, ShowsABarOnATerminalOnly) {
   EXPECT_THAT(shown.err, AllOf(HasSubstr("\r\x1b[K[####"), HasSubstr("] frame 5 of 5: ")));
   EXPECT_THAT(shown.out, Not(HasSubstr("\x1b")));
   EXPECT_THAT(RunCorvo(arguments).err, IsEmpty());
+}
+
+/// `corvo run` on 100 pictures of a kitchen with this focal length; 585 px is published.
+CommandResult RunKitchen(const fs::path& folder, double focal_px) {
+  const std::string focal = std::to_string(focal_px);
+  WriteText(folder / "camera.yaml", "model: pinhole\nwidth: 640\nheight: 480\nfx: " + focal +
+                                        "\nfy: " + focal + "\ncx: 320\ncy: 240\n");
+  return RunCorvo({"run", DataPath("7scenes/redkitchen"), "--gt", "none", "--count", "100",
+                   "--camera", folder / "camera.yaml", "-o", folder / "result"});
+}
+
+TEST(RunWithTheWrongCamera, WarnsThatTheCalibrationIsImplausible) {
+  CORVO_REQUIRE_DATA("7scenes/redkitchen");
+  const TempFolder folder;
+  const auto residuals = [&] {
+    return nlohmann::json::parse(ReadText(folder / "result/summary.json"))["residuals"];
+  };
+  EXPECT_THAT(RunKitchen(folder.path(), 585).err, testing::Not(HasSubstr("implausible")));
+  EXPECT_EQ(residuals()["implausible_calibration"], false);
+  EXPECT_LT(residuals()["median_px"], 2);
+  EXPECT_THAT(RunKitchen(folder.path(), 1170).err,
+              HasSubstr("warning: the calibration is implausible"));
+  EXPECT_EQ(residuals()["implausible_calibration"], true);
+  EXPECT_GT(residuals()["median_px"], 2);
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include "vo/residuals.h"
+
+#include <algorithm>
+#include <set>
+
+#include "orb/matcher.h"
+#include "vo/landmark_projection.h"
+
+namespace corvo {
+namespace {
+
+std::set<LandmarkId> LandmarksAround(const Map& map, KeyframeId id) {
+  constexpr int kMaxKeyframes = 10;
+  std::set<LandmarkId> landmarks;
+  int num_keyframes = 0;
+  for (const Covisible& covisible : map.FindCovisible(id)) {
+    if (num_keyframes++ == kMaxKeyframes) break;
+    for (const LandmarkId landmark : map.keyframe(covisible.keyframe).frame.landmarks) {
+      if (landmark != kNoId) landmarks.insert(landmark);
+    }
+  }
+  return landmarks;
+}
+
+void AppendResiduals(const Map& map, const Keyframe& keyframe, const Camera& camera,
+                     const std::vector<double>& octave_scales, std::vector<double>& residuals) {
+  constexpr double kRadiusPx = 60;
+  constexpr int kMaxDistance = 50;
+  std::vector<orb::Descriptor> descriptors;
+  std::vector<orb::SearchWindow> windows;
+  std::vector<Eigen::Vector2d> pixels;
+  for (const LandmarkId id : LandmarksAround(map, keyframe.id)) {
+    const Landmark& landmark = *map.FindLandmark(id);
+    const auto view =
+        ProjectLandmark(landmark, keyframe.frame.world_from_camera, camera, octave_scales);
+    if (!view) continue;
+    descriptors.push_back(landmark.descriptor);
+    windows.push_back(view->Window(kRadiusPx * octave_scales[view->octave], 1, 1));
+    pixels.push_back(view->pixel);
+  }
+  const std::vector<orb::Nearest> nearest = orb::FindNearestInWindows(
+      descriptors, windows, keyframe.frame.features.descriptors, keyframe.frame.keypoint_index);
+  for (const orb::Match& match : orb::KeepUnique(orb::KeepNear(nearest, kMaxDistance))) {
+    residuals.push_back((pixels[match.query] - keyframe.frame.pixel(match.train)).norm());
+  }
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::optional<MatchResiduals> MeasureResiduals(const Map& map, const Camera& camera,
+                                               const std::vector<double>& octave_scales) {
+  std::vector<double> residuals;
+  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
+    if (map.keyframe(id).retired()) continue;
+    AppendResiduals(map, map.keyframe(id), camera, octave_scales, residuals);
+  }
+  if (residuals.empty()) return std::nullopt;
+  return MatchResiduals{static_cast<int>(residuals.size()), Median(residuals)};
+}
+
+bool IsImplausible(const MatchResiduals& residuals) {
+  constexpr int kMinMatches = 100;
+  constexpr double kMaxMedianPx = 2;
+  return residuals.num_matches >= kMinMatches && residuals.median_px > kMaxMedianPx;
+}
+
+}  // namespace corvo
