@@ -1,0 +1,151 @@
+#include "tests/cli/example_folder.h"
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+#include "tests/cli/tiny_sequence.h"
+
+namespace corvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kCamera =
+    "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n";
+
+/// Whatever the name says, as Motion JPEG: decoders look at what is in the file.
+void WriteVideo(const fs::path& file) {
+  const fs::path avi = file.parent_path() / "video.avi";
+  cv::VideoWriter writer(avi.string(), cv::CAP_OPENCV_MJPEG,
+                         cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25.0,
+                         cv::Size(kTinyWidth, kTinyHeight), false);
+  for (int i = 0; i < kExampleFrames; ++i) writer.write(TinyImage(i));
+  writer.release();
+  fs::rename(avi, file);
+}
+
+std::string KittiPoses() {
+  std::string text;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    text += fmt::format("1 0 0 {} 0 1 0 {} 0 0 1 {}\n", i, i % 3, i % 2);
+  }
+  return text;
+}
+
+/// In EuRoC's format, at the times of WriteEuroc.
+std::string EurocPoses() {
+  std::string text;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    text +=
+        fmt::format("{},{},{},{},1,0,0,0\n", 1403636579763555584 + 50000000LL * i, i, i % 3, i % 2);
+  }
+  return text;
+}
+
+const cv::Mat kVga(480, 640, CV_8UC1, cv::Scalar(100));
+
+/// Without a calibration; of the size that configs/tum_fr1.yaml says.
+void WriteFreiburg1(const fs::path& folder) {
+  WriteTum(folder, kExampleFrames);
+  for (const auto& entry : fs::directory_iterator(folder / "rgb")) {
+    WriteImage(entry.path(), kVga);
+  }
+  WriteText(folder / "groundtruth.txt", ExamplePoses(1305031102.175304, 0.04));
+}
+
+void WriteTumVi(const fs::path& folder) {
+  WriteEuroc(folder / "mav0", kExampleFrames);
+  fs::remove(folder / "mav0/cam0/sensor.yaml");
+  WriteText(folder / "mav0/mocap0/data.csv", EurocPoses());
+  WriteText(folder / "dso/camchain.yaml",
+            "cam0:\n  T_cam_imu:\n  - [0, -1, 0, 0]\n  - [0, 0, -1, 0]\n  - [1, 0, 0, -0.5]\n"
+            "  - [0, 0, 0, 1]\n  camera_model: pinhole\n  distortion_model: equidistant\n"
+            "  distortion_coeffs: [0.003, 0.0007, -0.002, 0.0002]\n"
+            "  intrinsics: [40.5, 40.25, 47.5, 31.5]\n  resolution: [96, 64]\n");
+}
+
+void WriteTumMono(const fs::path& folder) {
+  std::string times;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    WriteImage(folder / fmt::format("images/{:05}.jpg", i), TinyImage(i));
+    times += fmt::format("{:05} {:.6f} 1.5\n", i, 0.1 * i);
+  }
+  WriteText(folder / "times.txt", times);
+  WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n96 64\ncrop\n96 64\n");
+  WriteText(folder / "groundtruthSync.txt",
+            ExamplePoses(0, 0.1) + "9 NaN NaN NaN NaN NaN NaN NaN\n");
+}
+
+void WriteSevenScenes(const fs::path& folder) {
+  for (int i = 0; i < kExampleFrames; ++i) {
+    WriteImage(folder / fmt::format("frame-{:06}.color.png", i), kVga);
+    WriteText(folder / fmt::format("frame-{:06}.pose.txt", i),
+              fmt::format("1 0 0 {}\n0 1 0 {}\n0 0 1 {}\n0 0 0 1\n", i, i % 3, i % 2));
+  }
+}
+
+void WritePictures(const fs::path& here) {
+  WriteFolder(here / "images", kExampleFrames);
+  WriteFolder(here / "left", kExampleFrames);
+  for (int i = 0; i < kExampleFrames; ++i) {
+    fs::rename(here / fmt::format("left/{}.png", i), here / fmt::format("images/left{}.png", i));
+  }
+  WriteVideo(here / "drive.mp4");
+  WriteImage(here / "bonnet.png", cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(255)));
+  for (const char* name : {"a.png", "b.png", "picture.png"}) {
+    WriteImage(here / name, TinyImage(7, 160, 120));
+  }
+}
+
+void WriteBenchmarks(const fs::path& here) {
+  for (const fs::path& folder : {here, here / "dataset"}) {
+    WriteKitti(folder / "sequences/03", kExampleFrames);
+    WriteText(folder / "poses/03.txt", KittiPoses());
+  }
+  WriteEuroc(here / "MH_01_easy/mav0", kExampleFrames);
+  WriteText(here / "MH_01_easy/mav0/state_groundtruth_estimate0/data.csv", EurocPoses());
+  WriteFreiburg1(here / "rgbd_dataset_freiburg1_xyz");
+  WriteFreiburg1(here / "rgbd_dataset_freiburg1_rpy");
+  WriteTumVi(here / "dataset-room1_512_16");
+  WriteTumMono(here / "sequence_30");
+  WriteSevenScenes(here / "redkitchen/seq-01");
+}
+
+}  // namespace
+
+std::string ExamplePoses(double first_s, double step_s) {
+  std::string text;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    text += fmt::format("{:.6f} {} {} {} 0 0 0 1\n", first_s + step_s * i, i, i % 3, i % 2);
+  }
+  return text;
+}
+
+ExampleFolder::ExampleFolder() {
+  WriteBenchmarks(folder_.path());
+  WritePictures(folder_.path());
+  for (const char* name : {"camera.yaml", "phone.yaml", "left.yaml"}) {
+    WriteText(folder_ / name, kCamera);
+  }
+  for (const char* name : {"truth.txt", "estimate.txt", "groundtruth.txt"}) {
+    WriteText(folder_ / name, ExamplePoses(0, 0.1));
+  }
+  fs::create_directory_symlink(CORVO_SOURCE_DIR "/configs", folder_ / "configs");
+}
+
+CommandResult ExampleFolder::Run(const std::string& command) const {
+  const std::string path = fs::path(CORVO_COMMAND).parent_path().string() + ":/usr/bin:/bin";
+  return RunProgram("/bin/sh", {"-c", "cd '" + folder_.path().string() + "' && " + command},
+                    {"PATH=" + path});
+}
+
+void ExampleFolder::ExpectRuns(const std::string& command) const {
+  constexpr int kNeverInitialized = 2;
+  const CommandResult result = Run(command);
+  const bool is_run = command.rfind("corvo run", 0) == 0;  // Of pictures without a scene.
+  EXPECT_TRUE(result.exit_code == 0 || (is_run && result.exit_code == kNeverInitialized))
+      << command << "\n"
+      << result.out << result.err;
+}
+
+}  // namespace corvo::test
