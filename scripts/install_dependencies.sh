@@ -22,9 +22,9 @@ install_dependencies.sh: this system has no apt-get and dpkg; it can install on 
 Ubuntu 24.04 only. Install these yourself, with their headers and CMake files, and build with
 `cmake --preset release && cmake --build --preset release`:
   a C++20 compiler (g++ 12 or clang 14, or later), CMake 3.22 or later, Ninja,
-  Eigen 3.4, OpenCV 4.6 or later (core imgproc imgcodecs features2d calib3d, and stitching for the
-  tests), Ceres 2.1 or later, TBB, CLI11, yaml-cpp, fmt, spdlog, nlohmann-json, GoogleTest with
-  gmock, and gnuplot for pictures
+  Eigen 3.4, OpenCV 4.6 or later (core imgproc imgcodecs videoio features2d calib3d, and stitching
+  for the tests), Ceres 2.1 or later, TBB, CLI11, yaml-cpp, fmt, spdlog, nlohmann-json, GoogleTest
+  with gmock, and gnuplot for pictures
 TEXT
   exit 1
 }
