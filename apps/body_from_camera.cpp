@@ -1,31 +1,18 @@
 #include "apps/body_from_camera.h"
 
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
+#include "apps/sensor_yaml.h"
 #include "orb/error.h"
 
 namespace corvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// YAML as OpenCV writes it starts with "%YAML:1.0", which YAML itself does not allow.
-YAML::Node LoadYaml(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Error(fmt::format("{}: cannot be read", file.string()));
-  std::stringstream text;
-  for (std::string line; std::getline(stream, line);) {
-    text << (line.rfind('%', 0) == 0 ? "" : line) << '\n';
-  }
-  return YAML::Load(text);
-}
 
 /// The numbers of a list, or of a list of lists.
 std::vector<double> Flatten(const YAML::Node& node) {
@@ -68,7 +55,7 @@ std::optional<SE3> ReadTransform(const fs::path& file,
                                  std::optional<SE3> (*parse)(const YAML::Node&)) {
   if (!fs::exists(file)) return std::nullopt;
   try {
-    return parse(LoadYaml(file));
+    return parse(LoadSensorYaml(file));
   } catch (const YAML::Exception& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const Error& error) {

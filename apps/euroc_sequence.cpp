@@ -1,10 +1,7 @@
-#include <fstream>
-#include <sstream>
-
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include "apps/image_layouts.h"
+#include "apps/sensor_yaml.h"
 #include "orb/error.h"
 #include "vo/decimal_time.h"
 #include "vo/text_lines.h"
@@ -18,17 +15,6 @@ namespace fs = std::filesystem;
 fs::path CameraFolder(const fs::path& input) {
   const fs::path nested = input / "mav0" / "cam0";
   return fs::is_directory(nested) ? nested : input / "cam0";
-}
-
-/// YAML as OpenCV writes it starts with "%YAML:1.0", which YAML itself does not allow.
-YAML::Node LoadSensorYaml(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Error(fmt::format("{}: cannot be read", file.string()));
-  std::stringstream text;
-  for (std::string line; std::getline(stream, line);) {
-    text << (line.rfind('%', 0) == 0 ? "" : line) << '\n';
-  }
-  return YAML::Load(text);
 }
 
 /// `count` numbers (or more, up to `max_count`) of a sequence.

@@ -58,8 +58,8 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
 }
 
 int Run(const RunArguments& arguments) {
+  const Interruption interruption;  // Before any thread begins: each takes it over.
   RunInputs inputs = ReadInputs(arguments);
-  const Interruption interruption;
   OutputFolder output(arguments.output);
   const RunRecord record = ProcessImages(inputs, arguments, interruption);
   if (record.is_interrupted) {
