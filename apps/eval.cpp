@@ -12,7 +12,7 @@
 
 #include "apps/eval_inputs.h"
 #include "apps/evaluation_report.h"
-#include "apps/frame_states.h"
+#include "apps/frame_selection.h"
 #include "apps/plot.h"
 
 namespace corvo {
@@ -37,8 +37,8 @@ trajectories. ATE and RPE are those of evo:
 struct EvalArguments {
   EvalFiles files;
   std::filesystem::path picture;
-  std::filesystem::path frames;     ///< Empty: the frames.csv beside the estimate.
-  std::vector<std::string> states;  ///< Empty: of all frames.
+  std::filesystem::path frames;  ///< Empty: the frames.csv beside the estimate.
+  FrameSelection selection;
   std::string alignment = "sim3";
   std::optional<double> max_dt_s;
   std::optional<double> rpe_metres;
@@ -61,11 +61,11 @@ EvaluationOptions MakeOptions(const EvalArguments& arguments) {
 
 EvalInputs ReadInputs(const EvalArguments& arguments) {
   EvalInputs inputs = ReadEvalInputs(arguments.files);
-  if (arguments.states.empty()) return inputs;
+  if (arguments.selection.SelectsAll()) return inputs;
   const std::filesystem::path frames = arguments.frames.empty()
                                            ? inputs.estimate_file.parent_path() / "frames.csv"
                                            : arguments.frames;
-  inputs.estimate = SelectStates(inputs.estimate, frames, arguments.states);
+  inputs.estimate = SelectFrames(inputs.estimate, frames, arguments.selection);
   return inputs;
 }
 
@@ -104,9 +104,12 @@ void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
       "what the run in EST was compared with)");
   command.add_option("--times", arguments.files.times, "times of the rows of a KITTI file");
   command
-      .add_option("--states", arguments.states,
+      .add_option("--states", arguments.selection.states,
                   "only frames that frames.csv has in these states, such as tracking")
       ->delimiter(',');
+  command
+      .add_option("--segment", arguments.selection.segment, "only frames of this segment, from 0")
+      ->check(CLI::Range(0, 1'000'000'000));
   command.add_option("--frames", arguments.frames,
                      "the run's frames.csv (default: that beside the estimate)");
 }

@@ -135,16 +135,19 @@ TEST_F(Eval, ComparesWhatIsWithinHalfAFrame) {
   EXPECT_EQ(Measure({estimate_, truth_, "--max-dt", "0.45"})["pairs"], 3);
 }
 
-TEST_F(Eval, SelectsFramesByTheirState) {
+TEST_F(Eval, SelectsFramesByStateAndSegment) {
   WriteText(folder_ / "result/trajectory.tum", estimate_text_);
-  std::string table = "index,timestamp,state\n";
+  std::string table = "index,timestamp,state,segment\n";
   for (int i = 0; i < kCount; ++i) {
-    table += fmt::format("{},{}.000000000,{}\n", i, i, i < 4 ? "initializing" : "tracking");
+    table += fmt::format("{},{}.000000000,{},{}\n", i, i, i < 4 ? "initializing" : "tracking",
+                         i < 9 ? 0 : 1);
   }
   WriteText(folder_ / "result/frames.csv", table);
   const fs::path run = folder_ / "result";
   EXPECT_EQ(Measure({run, truth_, "--states", "tracking"})["pairs"], kCount - 4);
   EXPECT_EQ(Measure({run, truth_, "--states", "tracking,initializing"})["pairs"], kCount);
+  EXPECT_EQ(Measure({run, truth_, "--segment", "1"})["pairs"], kCount - 9);
+  EXPECT_EQ(Measure({run, truth_, "--segment", "0", "--states", "tracking"})["pairs"], 5);
   ExpectError(RunCorvo({"eval", run, truth_, "--states", "flying"}), "\"flying\" is no state");
   ExpectError(RunCorvo({"eval", estimate_, truth_, "--states", "tracking"}), "frames.csv");
   WriteText(folder_ / "result/frames.csv", "index\n");

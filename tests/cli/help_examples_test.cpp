@@ -30,9 +30,9 @@ class HelpExamples : public testing::TestWithParam<const char*> {
     const std::string poses = euroc ? ExamplePoses(1403636579.763556, 0.05) : ExamplePoses(0, 0.1);
     WriteText(here_ / "result/trajectory.tum", poses);
     WriteText(here_ / "result/groundtruth.tum", poses);
-    std::string frames = "timestamp,state\n";
+    std::string frames = "timestamp,state,segment\n";
     for (int i = 0; i < kExampleFrames; ++i) {
-      frames += fmt::format("{:.9f},tracking\n", 0.1 * i);
+      frames += fmt::format("{:.9f},tracking,0\n", 0.1 * i);
     }
     WriteText(here_ / "result/frames.csv", frames);
     WriteText(here_ / "room/groundtruth.txt", poses);
