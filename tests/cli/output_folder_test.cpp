@@ -57,6 +57,17 @@ TEST(OutputFolder, RemovesAnEarlierRunsFilesThatThisOneDoesNotWrite) {
   EXPECT_EQ(CountEntries(folder.path()), 2);
 }
 
+TEST(OutputFolder, HasItsLastFileOnlyWhereTheSetIsWhole) {
+  TempFolder folder;
+  WriteText(folder / "summary.json", "old");
+  WriteText(folder / "x.txt/in_the_way", "");
+  OutputFolder output(folder.path());
+  output.Write("x.txt", "new");
+  output.Write("summary.json", "new");
+  EXPECT_THAT(test::ErrorOf([&] { output.Commit({"x.txt", "summary.json"}); }), HasSubstr("x.txt"));
+  EXPECT_FALSE(fs::exists(folder / "summary.json"));
+}
+
 TEST(OutputFolder, RefusesAFile) {
   TempFolder folder;
   WriteText(folder / "file", "");

@@ -43,5 +43,16 @@ TEST(FrameResultTest, StatesAndReasonsHaveNamesOfTheirOwn) {
   EXPECT_EQ(names.count("unknown"), 0);
 }
 
+TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
+  Trajectory trajectory;
+  trajectory.frames.resize(2);
+  const SE3 pose(SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3)), Eigen::Vector3d(1, -2, 3));
+  trajectory.frames[1].world_from_camera = pose;
+  const Trajectory scaled = Scale(2.5, trajectory);
+  EXPECT_FALSE(scaled.frames[0].world_from_camera);
+  EXPECT_EQ(*scaled.frames[1].world_from_camera,
+            SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
+}
+
 }  // namespace
 }  // namespace corvo
