@@ -193,9 +193,10 @@ TEST_F(CameraFileTest, WrongValuesAreErrors) {
 
 TEST_F(CameraFileTest, EveryModelReadsBackTheSame) {
   const std::string size = "width: 640\nheight: 480\nfx: 200\nfy: 201\ncx: 320\ncy: 240\n";
-  for (const std::string text : {"model: pinhole\n" + size + "k1: 0.1\np2: 0.2\n",
-                                 "model: kb4\n" + size + "k1: 0.01\nk2: 0.02\nk3: 0.03\nk4: 0.04\n",
-                                 "model: fov\n" + size + "omega: 0.9\n"}) {
+  for (const std::string& text :
+       {"model: pinhole\n" + size + "k1: 0.1\np2: 0.2\n",
+        "model: kb4\n" + size + "k1: 0.01\nk2: 0.02\nk3: 0.03\nk4: 0.04\n",
+        "model: fov\n" + size + "omega: 0.9\n"}) {
     const CameraFile file = Read(text);
     EXPECT_EQ(Read(WriteCameraFile(file)).camera, file.camera) << text;
   }
