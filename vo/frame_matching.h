@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "orb/matcher.h"
+#include "vo/camera.h"
 #include "vo/frame.h"
+#include "vo/lie/so3.h"
 
 namespace corvo {
 
@@ -17,5 +19,13 @@ struct FrameMatchingOptions {
 /// distinct, mutual and turned consistently.
 std::vector<orb::Match> MatchFrames(const Frame& first, const Frame& second,
                                     const FrameMatchingOptions& options = {});
+
+/// As MatchFrames, but each keypoint is looked for only where the rotation between the views puts
+/// it: within `radius_px` times the scale of its octave, one octave up or down.
+std::vector<orb::Match> MatchRotatedFrames(const Frame& first, const Frame& second,
+                                           const SO3& second_from_first, const Camera& camera,
+                                           const std::vector<double>& octave_scales,
+                                           double radius_px,
+                                           const FrameMatchingOptions& options = {});
 
 }  // namespace corvo

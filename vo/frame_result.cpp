@@ -8,6 +8,8 @@ std::string_view ToString(State state) {
       return "initializing";
     case State::kTracking:
       return "tracking";
+    case State::kRotationOnly:
+      return "rotation_only";
     case State::kLost:
       return "lost";
   }

@@ -5,12 +5,15 @@
 
 #include "vo/conventions.h"
 #include "vo/lie/se3.h"
+#include "vo/lie/so3.h"
 
 namespace corvo {
 
 enum class State {
   kInitializing,  ///< No map in this segment yet.
   kTracking,      ///< The frame was located in the map.
+  kRotationOnly,  ///< Not located, but its rotation is known: against the last frame whose rotation
+                  ///< is known the camera only turned, or stood still.
   kLost,          ///< Not located; until a frame is found again or a new segment starts.
 };
 
@@ -41,6 +44,9 @@ struct FrameResult {
   /// Set if and only if the frame is posed: located from enough inlier landmarks, while tracking
   /// or afterwards by pose optimisation. Never held, predicted or interpolated.
   std::optional<SE3> world_from_camera;
+  /// Set if the frame is posed, and in State::kRotationOnly. Keeps its meaning from one segment to
+  /// the next only where it was tracked all the way.
+  std::optional<SO3> world_from_camera_rotation;
   bool is_keyframe = false;
   int num_features = 0;
   int num_matches = 0;  ///< With the reference frame (initialising) or with landmarks (tracking).

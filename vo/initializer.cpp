@@ -1,12 +1,15 @@
 #include "vo/initializer.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
 #include "vo/bundle_adjuster.h"
 #include "vo/frame_matching.h"
 #include "vo/map.h"
+#include "vo/median.h"
+#include "vo/rotation_estimator.h"
 
 namespace corvo {
 namespace {
@@ -46,9 +49,7 @@ InitialMap AdjustTwoViews(const TwoViewResult& motion, const std::vector<orb::Ma
 void NormalizeDepth(InitialMap& map) {
   std::vector<double> depths;
   for (const InitialPoint& point : map.points) depths.push_back(point.in_first.z());
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  const double scale = 1 / *middle;
+  const double scale = 1 / Median(std::move(depths));
   map.first_from_second =
       SE3(map.first_from_second.rotation(), scale * map.first_from_second.translation());
   for (InitialPoint& point : map.points) point.in_first *= scale;
@@ -60,6 +61,11 @@ Initializer::Initializer(const InitializerOptions& options, const KeypointNoise&
                          const Camera& camera)
     : options_(options), noise_(noise), camera_(camera) {}
 
+void Initializer::StartFrom(Frame posed) {
+  Keep(std::move(posed));
+  has_rotation_.back() = true;
+}
+
 InitializationResult Initializer::AddFrame(Frame frame) {
   Keep(std::move(frame));
   InitializationResult result;
@@ -69,26 +75,27 @@ InitializationResult Initializer::AddFrame(Frame frame) {
     return result;
   }
   const Frame& reference = frames_[reference_];
+  result.reference = reference.index;
   if (&reference == &newest || reference.num_keypoints() < options_.min_matches) {
     reference_ = static_cast<int>(frames_.size()) - 1;
+    result.reference = newest.index;
     result.reason = Reason::kReferenceFrame;
     return result;
   }
   const std::vector<orb::Match> matches = MatchFrames(reference, newest);
   result.num_matches = static_cast<int>(matches.size());
-  if (result.num_matches < options_.min_matches) {
-    MoveReference();
-    result.reason = Reason::kTooFewMatches;
-    return result;
-  }
   MakeMap(matches, result);
+  has_rotation_.back() = result.reference_from_newest.has_value();
+  if (result.num_matches < options_.min_matches) MoveReference();
   return result;
 }
 
 void Initializer::Keep(Frame frame) {
   frames_.push_back(std::move(frame));
+  has_rotation_.push_back(false);
   if (static_cast<int>(frames_.size()) <= options_.max_waiting_frames) return;
   frames_.pop_front();
+  has_rotation_.pop_front();
   reference_ = std::max(0, reference_ - 1);
 }
 
@@ -100,6 +107,9 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches,
   result.reason = motion.reason;
   result.num_inliers = motion.num_inliers;
   result.parallax_deg = motion.parallax_deg;
+  if (motion.first_from_second_rotation) {
+    result.reference_from_newest = RefineRotation(*motion.first_from_second_rotation);
+  }
   if (motion.reason != Reason::kNone) return;
   InitialMap map = AdjustTwoViews(motion, matches, first, second, camera_, noise_);
   if (static_cast<int>(map.points.size()) < options_.min_points) {
@@ -110,18 +120,36 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches,
   result.map = std::move(map);
 }
 
+SO3 Initializer::RefineRotation(const SO3& reference_from_newest) const {
+  constexpr double kRadiusPx = 10;
+  constexpr std::size_t kMinMatches = 10;
+  const SO3 newest_from_reference = reference_from_newest.Inverse();
+  const std::vector<RayMatch> matches =
+      ToRayMatches(MatchRotatedFrames(frames_[reference_], frames_.back(), newest_from_reference,
+                                      camera_, noise_.octave_scales, kRadiusPx));
+  if (matches.size() < kMinMatches) return reference_from_newest;
+  return corvo::RefineRotation(matches, EstimateRotation(matches)).Inverse();
+}
+
 std::vector<Frame> Initializer::TakeFrames() {
   std::vector<Frame> frames(std::make_move_iterator(frames_.begin()),
                             std::make_move_iterator(frames_.end()));
   frames_.clear();
+  has_rotation_.clear();
   reference_ = 0;
   return frames;
 }
 
-/// Half-way to the newest frame: near enough to match again, far enough to keep some parallax.
 void Initializer::MoveReference() {
   const int newest = static_cast<int>(frames_.size()) - 1;
-  reference_ += (newest - reference_ + 1) / 2;
+  const int half_way = reference_ + (newest - reference_ + 1) / 2;
+  int nearest = kNoId;
+  for (int i = reference_ + 1; i <= newest; ++i) {
+    const bool is_nearer =
+        nearest == kNoId || std::abs(i - half_way) < std::abs(nearest - half_way);
+    if (has_rotation_[i] && is_nearer) nearest = i;
+  }
+  reference_ = nearest != kNoId ? nearest : half_way;
 }
 
 std::vector<RayMatch> Initializer::ToRayMatches(const std::vector<orb::Match>& matches) const {

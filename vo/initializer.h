@@ -34,6 +34,9 @@ struct InitialMap {
 struct InitializationResult {
   Reason reason = Reason::kNone;  ///< kNoId: `map` is set.
   std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
+  int reference = kNoId;          ///< Input index of the reference frame.
+  /// Set if between the two the camera turned or stood still, as far as the matches tell.
+  std::optional<SO3> reference_from_newest;
   int num_matches = 0;
   int num_inliers = 0;
   double parallax_deg = 0;
@@ -43,6 +46,9 @@ struct InitializationResult {
 class Initializer {
  public:
   Initializer(const InitializerOptions& options, const KeypointNoise& noise, const Camera& camera);
+
+  /// Takes a frame whose pose is known as the reference. Only where no frame is collected.
+  void StartFrom(Frame posed);
 
   InitializationResult AddFrame(Frame frame);
 
@@ -56,14 +62,19 @@ class Initializer {
  private:
   /// Forgets the oldest frame when there are too many.
   void Keep(Frame frame);
+  /// Half-way to the newest frame: near enough to match again, far enough to keep some parallax.
+  /// If there is one, a frame whose rotation is known.
   void MoveReference();
   void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result) const;
+  /// With more matches than without the rotation.
+  SO3 RefineRotation(const SO3& reference_from_newest) const;
   std::vector<RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
   KeypointNoise noise_;
   Camera camera_;
   std::deque<Frame> frames_;
+  std::deque<bool> has_rotation_;  // Of each frame, whether its rotation is known.
   int reference_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "vo/chi_square.h"
 #include "vo/epipolar_matching.h"
+#include "vo/median.h"
 #include "vo/pose_optimizer.h"
 #include "vo/triangulation.h"
 
@@ -67,9 +68,7 @@ double MedianDepth(const Map& map, const Frame& frame) {
   for (const LandmarkId id : frame.landmarks) {
     if (id != kNoId) depths.push_back((camera_from_world * map.FindLandmark(id)->in_world).z());
   }
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return Median(std::move(depths));
 }
 
 /// The most covisible keyframes that stand far enough away for their depth, the farthest first:

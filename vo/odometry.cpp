@@ -1,5 +1,6 @@
 #include "vo/odometry.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "vo/keyframe_policy.h"
 #include "vo/landmark_creation.h"
 #include "vo/landmark_fusion.h"
+#include "vo/relocalizer.h"
 
 namespace corvo {
 namespace {
@@ -72,14 +74,6 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   return Accept(std::move(frame), tracking);
 }
 
-Trajectory Odometry::GetTrajectory() const {
-  Trajectory trajectory;
-  for (const Record& record : records_) {
-    trajectory.frames.push_back(ResultOf(record));
-  }
-  return trajectory;
-}
-
 void Odometry::Reset() { *this = Odometry(camera_, options_, threads_); }
 
 const Frame& Odometry::last_frame() const {
@@ -96,21 +90,21 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
     throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
                             camera_.width(), camera_.height()));
   }
-  if (!records_.empty() && time_ns <= records_.back().result.time_ns) {
+  const Frame& last = last_frame();
+  if (records_.size() > 0 && time_ns <= last.time_ns) {
     throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
-                            records_.size(), time_ns, records_.back().result.time_ns));
+                            records_.size(), time_ns, last.time_ns));
   }
 }
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   const StageTimer timer(times_.extract_ms);
-  const int index = static_cast<int>(records_.size());
-  Frame frame = MakeFrame(index, time_ns, extractor_.Extract(image, mask), camera_);
-  Record record;
-  record.result.index = index;
-  record.result.time_ns = time_ns;
-  record.result.num_features = frame.num_keypoints();
-  records_.push_back(record);
+  Frame frame = MakeFrame(records_.size(), time_ns, extractor_.Extract(image, mask), camera_);
+  FrameResult result;
+  result.index = frame.index;
+  result.time_ns = time_ns;
+  result.num_features = frame.num_keypoints();
+  records_.Add(result);
   return frame;
 }
 
@@ -118,13 +112,13 @@ TrackingResult Odometry::Track(Frame& frame) {
   const StageTimer timer(times_.locate_ms);
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
-  if (segment_ == kNoId) return tracking;
+  if (!has_map()) return tracking;
   tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera_, noise_,
                         options_.tracker, frame);
   const bool is_sure =
-      state_ == State::kTracking || tracking.num_inliers >= options_.tracker.min_inliers_lost;
-  if (tracking.reason == Reason::kNone && !is_sure) tracking.reason = Reason::kTooFewInliers;
-  return tracking;
+      state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
+  if (tracking.reason == Reason::kNone && is_sure) return tracking;
+  return Relocalize(map_, segment_, camera_, noise_, options_.tracker, options_.relocalizer, frame);
 }
 
 bool Odometry::NeedsKeyframe(const Frame& frame) const {
@@ -141,8 +135,8 @@ void Odometry::ExtendMap(Frame& frame) {
   AdjustWindow(keyframe);
   CullKeyframes(map_, keyframe, options_.keyframes);
   frame = map_.keyframe(keyframe).frame;
-  records_[frame.index].anchor = keyframe;
-  records_[frame.index].result.is_keyframe = true;
+  records_.SetPose(frame.index, keyframe, SE3());
+  records_.result(frame.index).is_keyframe = true;
 }
 
 void Odometry::AddLandmarksAround(KeyframeId keyframe) {
@@ -173,31 +167,57 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
     if (id != kNoId) map_.CountFound(id);
   }
   SetPosed(frame, tracking.num_matches, tracking.num_inliers);
-  previous_.world_from_camera = PoseOf(records_[previous_.index]);
+  previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
   SetMotion(previous_, frame);
   std::vector<Frame> frames = initializer_.TakeFrames();
   frames.push_back(std::move(frame));
   PlaceWaitingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
-  return ResultOf(records_[previous_.index]);
+  return records_.ResultOf(previous_.index, map_);
 }
 
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   const StageTimer timer(times_.locate_ms);
   const int index = frame.index;
+  const TimeNs time_ns = frame.time_ns;
   frame.landmarks.assign(frame.landmarks.size(), kNoId);
+  if (has_map() && initializer_.newest() == nullptr) initializer_.StartFrom(previous_);
   const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
-  FrameResult& result = records_[index].result;
-  const bool was_tracking = segment_ != kNoId;
-  result.reason = was_tracking ? tracking.reason : initialization.reason;
-  result.state = state_ = was_tracking ? State::kLost : State::kInitializing;
-  result.segment = segment_;
-  result.num_matches = was_tracking ? tracking.num_matches : initialization.num_matches;
-  result.num_inliers = was_tracking ? tracking.num_inliers : initialization.num_inliers;
+  SetUnposed(index, tracking, initialization);
+  if (initialization.map && MayStartSegment(time_ns)) StartSegment(initialization);
+  return records_.ResultOf(index, map_);
+}
+
+void Odometry::SetUnposed(int frame, const TrackingResult& tracking,
+                          const InitializationResult& initialization) {
+  state_ = has_map() ? State::kLost : State::kInitializing;
+  FrameResult& result = records_.result(frame);
+  result.state = state_;
+  const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
+  result.reason = has_map() && !is_blank ? tracking.reason : initialization.reason;
+  result.num_matches = has_map() ? tracking.num_matches : initialization.num_matches;
+  result.num_inliers = has_map() ? tracking.num_inliers : initialization.num_inliers;
   result.parallax_deg = initialization.parallax_deg;
-  if (initialization.map) StartSegment(initialization);
-  return ResultOf(records_[index]);
+  SetRotation(frame, initialization);
+  result.segment = segment_;
+}
+
+void Odometry::SetRotation(int frame, const InitializationResult& initialization) {
+  if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
+    records_.SetRotation(frame, frame, SO3());
+  }
+  if (!initialization.reference_from_newest) return;
+  records_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
+  if (!records_.RotationOf(frame, map_)) return;
+  segment_ = std::max(segment_, 0);
+  records_.result(frame).state = State::kRotationOnly;
+  records_.result(frame).reason = initialization.reason;
+}
+
+bool Odometry::MayStartSegment(TimeNs time_ns) const {
+  const auto lost_s = static_cast<double>(time_ns - previous_.time_ns) * 1e-9;
+  return !has_map() || lost_s >= options_.relocalizer.max_lost_s;
 }
 
 void Odometry::StartSegment(const InitializationResult& initialization) {
@@ -206,21 +226,32 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   std::vector<Frame> frames = initializer_.TakeFrames();
   Frame& first = frames[reference];
   Frame& second = frames.back();
-  first.world_from_camera = PredictPose(previous_, first.time_ns);
+  first.world_from_camera = PredictStart(first);
+  first.landmarks.assign(first.landmarks.size(), kNoId);
   const double scale = ChainScale(initial, second.time_ns - first.time_ns);
   second.world_from_camera =
       first.world_from_camera *
       SE3(initial.first_from_second.rotation(), scale * initial.first_from_second.translation());
-  ++segment_;
+  const bool continues = !has_map() && records_.RotationOf(first.index, map_);
+  if (!continues || segment_ == kNoId) ++segment_;
+  const bool is_posed = records_.IsPosed(first.index);  // In the segment before; there it stays.
   AddInitialMap(initial, scale, first, second);
   const int num_points = static_cast<int>(initial.points.size());
-  SetPosed(first, initialization.num_matches, num_points);
+  if (!is_posed) SetPosed(first, initialization.num_matches, num_points);
   SetPosed(second, initialization.num_matches, num_points);
   SetMotion(first, second);
   PlaceWaitingFrames(frames, reference, 1);
   PlaceWaitingFrames(frames, reference, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
+}
+
+/// Turned as it was tracked and standing where it was last, if its rotation is known; otherwise at
+/// constant velocity.
+SE3 Odometry::PredictStart(const Frame& first) const {
+  const std::optional<SO3> rotation = records_.RotationOf(first.index, map_);
+  if (rotation) return SE3(*rotation, previous_.world_from_camera.translation());
+  return PredictPose(previous_, first.time_ns);
 }
 
 void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& first, Frame& second) {
@@ -237,8 +268,9 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
   for (const KeyframeId id : {first_id, second_id}) {
     Frame& frame = id == first_id ? first : second;
     frame.landmarks = map_.keyframe(id).frame.landmarks;
-    records_[frame.index].anchor = id;
-    records_[frame.index].result.is_keyframe = true;
+    if (records_.IsPosed(frame.index)) continue;
+    records_.SetPose(frame.index, id, SE3());
+    records_.result(frame.index).is_keyframe = true;
   }
 }
 
@@ -246,7 +278,7 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
   const int num_frames = static_cast<int>(frames.size());
   for (int i = located + step; i >= 0 && i < num_frames; i += step) {
     Frame& frame = frames[i];
-    if (records_[frame.index].anchor != kNoId) break;
+    if (records_.IsPosed(frame.index)) break;
     const SE3 predicted = PredictPose(frames[located], frame.time_ns);
     const TrackingResult tracking =
         TrackFrame(map_, frames[located], predicted, camera_, noise_, options_.tracker, frame);
@@ -254,16 +286,6 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
     SetPosed(frame, tracking.num_matches, tracking.num_inliers);
     located = i;
   }
-}
-
-SE3 Odometry::PoseOf(const Record& record) const {
-  return map_.WorldFromKeyframe(record.anchor) * record.anchor_from_camera;
-}
-
-FrameResult Odometry::ResultOf(const Record& record) const {
-  FrameResult result = record.result;
-  if (record.anchor != kNoId) result.world_from_camera = PoseOf(record);
-  return result;
 }
 
 SE3 Odometry::PredictPose(const Frame& from, TimeNs time_ns) const {
@@ -286,16 +308,16 @@ void Odometry::SetMotion(const Frame& from, const Frame& to) {
 }
 
 void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
-  Record& record = records_[frame.index];
-  record.result.state = State::kTracking;
-  record.result.reason = Reason::kNone;
-  record.result.segment = segment_;
-  record.result.num_matches = num_matches;
-  record.result.num_inliers = num_inliers;
-  if (record.result.is_keyframe) return;
-  record.anchor = map_.FindCovisible(frame).front().keyframe;
-  record.anchor_from_camera =
-      map_.WorldFromKeyframe(record.anchor).Inverse() * frame.world_from_camera;
+  FrameResult& result = records_.result(frame.index);
+  result.state = State::kTracking;
+  result.reason = Reason::kNone;
+  result.segment = segment_;
+  result.num_matches = num_matches;
+  result.num_inliers = num_inliers;
+  if (result.is_keyframe) return;
+  const KeyframeId keyframe = map_.FindCovisible(frame).front().keyframe;
+  records_.SetPose(frame.index, keyframe,
+                   map_.WorldFromKeyframe(keyframe).Inverse() * frame.world_from_camera);
 }
 
 }  // namespace corvo

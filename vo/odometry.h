@@ -8,6 +8,7 @@
 #include "vo/camera.h"
 #include "vo/conventions.h"
 #include "vo/frame.h"
+#include "vo/frame_records.h"
 #include "vo/frame_result.h"
 #include "vo/initializer.h"
 #include "vo/keypoint_noise.h"
@@ -41,7 +42,7 @@ class Odometry {
 
   /// Every frame so far, with poses as the map knows them now: later adjustment moves earlier
   /// poses, and frames seen before initialisation get poses afterwards.
-  Trajectory GetTrajectory() const;
+  Trajectory GetTrajectory() const { return records_.ToTrajectory(map_); }
 
   /// Ends the sequence: joins work done beside the frames and returns the trajectory, which then
   /// stays as it is until the next call to Process.
@@ -60,17 +61,11 @@ class Odometry {
   const StageTimes& last_times() const { return times_; }
 
  private:
-  /// A frame's result, and where its camera is relative to a keyframe.
-  struct Record {
-    FrameResult result;
-    KeyframeId anchor = kNoId;
-    SE3 anchor_from_camera;
-  };
-
   void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
 
-  /// Locates the frame in the map, if there is one.
+  /// Locates the frame in the map, if there is one: near the frame before or, failing that,
+  /// anywhere.
   TrackingResult Track(Frame& frame);
   bool NeedsKeyframe(const Frame& frame) const;
   /// Makes the frame a keyframe, adds landmarks around it and adjusts its window.
@@ -82,16 +77,22 @@ class Odometry {
 
   /// Gives a frame that could not be located to the initializer, whose map opens a segment.
   FrameResult Initialize(Frame frame, const TrackingResult& tracking);
+  void SetUnposed(int frame, const TrackingResult& tracking,
+                  const InitializationResult& initialization);
+  /// The frame's rotation against the initializer's reference, if that has one.
+  void SetRotation(int frame, const InitializationResult& initialization);
+  bool MayStartSegment(TimeNs time_ns) const;
   /// Puts a first map into the world of the segments before: where, and as fast as, the camera is
   /// expected to be.
   void StartSegment(const InitializationResult& initialization);
+  /// Where the first frame of a segment is expected.
+  SE3 PredictStart(const Frame& first) const;
   void AddInitialMap(const InitialMap& initial, double scale, Frame& first, Frame& second);
   /// Locates the frames after (step 1) or before (step -1) a located one, up to the next that has
   /// a pose.
   void PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step);
 
-  SE3 PoseOf(const Record& record) const;
-  FrameResult ResultOf(const Record& record) const;
+  bool has_map() const { return map_.num_keyframes() > 0; }
   /// Constant velocity.
   SE3 PredictPose(const Frame& from, TimeNs time_ns) const;
   double ChainScale(const InitialMap& initial, TimeNs baseline_ns) const;
@@ -106,12 +107,12 @@ class Odometry {
   Initializer initializer_;
   Map map_;
   std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
-  std::vector<Record> records_;               // One an input frame.
+  FrameRecords records_;
   State state_ = State::kInitializing;
-  int segment_ = kNoId;
-  Frame previous_;      // The last posed frame.
-  SE3 motion_;          // earlier_from_later over the last step between posed frames ...
-  TimeNs step_ns_ = 0;  // ... and how long it took; 0 before the first.
+  int segment_ = kNoId;  // kNoId before anything is known of any frame.
+  Frame previous_;       // The last posed frame.
+  SE3 motion_;           // earlier_from_later over the last step between posed frames ...
+  TimeNs step_ns_ = 0;   // ... and how long it took; 0 before the first.
   StageTimes times_;
 };
 

@@ -35,8 +35,7 @@ struct InitializerOptions {
 struct TrackerOptions {
   double search_radius_px = 15;
   int min_matches = 20;
-  int min_inliers = 15;
-  int min_inliers_lost = 30;
+  int min_inliers = 20;
   int max_local_keyframes = 30;
   int max_distance = 80;
   double max_ratio = 0.8;
@@ -48,13 +47,30 @@ struct TrackerOptions {
     field("min_matches", self.min_matches, 6, 10000,
           "matches with the frame before; with fewer, the next wider search is tried");
     field("min_inliers", self.min_inliers, 15, 10000, "landmarks that must agree with the pose");
-    field("min_inliers_lost", self.min_inliers_lost, 15, 10000,
-          "as min_inliers, to find the track again after it was lost");
     field("max_local_keyframes", self.max_local_keyframes, 1, 1000,
           "keyframes whose landmarks are looked for");
     field("max_distance", self.max_distance, 1, 256, "between matching descriptors, bits");
     field("max_ratio", self.max_ratio, 0.1, 1.0,
           "distance of the nearest descriptor over that of the second nearest");
+  }
+};
+
+/// Finding the track again after it was lost.
+struct RelocalizerOptions {
+  int max_keyframes = 200;
+  int max_candidates = 5;
+  int min_inliers = 30;
+  double max_lost_s = 1.0;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("max_keyframes", self.max_keyframes, 1, 100000,
+          "newest kept keyframes of the segment in which a lost frame is looked for");
+    field("max_candidates", self.max_candidates, 1, 1000,
+          "of them, the most similar, from which the frame is tracked");
+    field("min_inliers", self.min_inliers, 15, 10000, "landmarks that must agree with the pose");
+    field("max_lost_s", self.max_lost_s, 0.0, 1e6,
+          "time since the last pose after which a new segment may start, s");
   }
 };
 
@@ -109,6 +125,7 @@ struct OdometryOptions {
   orb::ExtractorOptions extractor;
   InitializerOptions initializer;
   TrackerOptions tracker;
+  RelocalizerOptions relocalizer;
   KeyframeOptions keyframes;
   BundleAdjusterOptions bundle_adjuster;
 
@@ -121,6 +138,7 @@ struct OdometryOptions {
     section("extractor", self.extractor);
     section("initializer", self.initializer);
     section("tracker", self.tracker);
+    section("relocalizer", self.relocalizer);
     section("keyframes", self.keyframes);
     section("bundle_adjuster", self.bundle_adjuster);
   }

@@ -12,36 +12,17 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "vo/chi_square.h"
+#include "vo/median.h"
+#include "vo/rotation_estimator.h"
 #include "vo/triangulation.h"
 
 namespace corvo {
 namespace {
 
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double MedianSigma(const std::vector<RayMatch>& matches) {
   std::vector<double> sigmas;
   for (const RayMatch& match : matches) sigmas.push_back(match.sigma);
   return Median(std::move(sigmas));
-}
-
-Eigen::Vector3d UnitRay(const Eigen::Vector2d& ray) { return ray.homogeneous().normalized(); }
-
-/// Rotation that minimises the weighted squared distance of unit rays (Kabsch).
-SO3 AlignRays(const std::vector<RayMatch>& matches, const std::vector<double>& weights) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    covariance += weights[i] * UnitRay(matches[i].second) * UnitRay(matches[i].first).transpose();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant());
-  return SO3(Eigen::Matrix3d(svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose()));
 }
 
 cv::UsacParams MakeUsacParams(double threshold) {
@@ -197,35 +178,24 @@ void SelectMotion(const Eigen::Matrix3d& essential, const ModelScore& score,
   }
 }
 
+/// Whether a rotation alone explains the matches; sets the parallax and, if so, rotation and
+/// reason.
+bool JudgeRotation(const std::vector<RayMatch>& matches, const InitializerOptions& options,
+                   TwoViewResult& result) {
+  constexpr std::size_t kMinMatches = 30;
+  const SO3 second_from_first = EstimateRotation(matches);
+  const double parallax = Median(ComputeParallax(matches, second_from_first));
+  result.parallax_deg = parallax * 180 / std::numbers::pi;
+  const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
+  if (matches.size() < kMinMatches || parallax >= max_parallax) return false;
+  result.first_from_second_rotation = second_from_first.Inverse();
+  const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
+  const bool turned = second_from_first.Angle() > min_turn;
+  result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
+  return true;
+}
+
 }  // namespace
-
-SO3 EstimateRotation(const std::vector<RayMatch>& matches) {
-  constexpr int kReweightings = 10;
-  std::vector<double> weights(matches.size(), 1.0);
-  SO3 rotation = AlignRays(matches, weights);
-  for (int round = 0; round < kReweightings; ++round) {
-    const std::vector<double> angles = ComputeParallax(matches, rotation);
-    const double scale = std::max(Median(angles), 1e-9);
-    for (std::size_t i = 0; i < matches.size(); ++i) {
-      const double u = angles[i] / scale;
-      weights[i] = 1 / ((1 + u * u) * (1 + u * u));
-    }
-    rotation = AlignRays(matches, weights);
-  }
-  return rotation;
-}
-
-std::vector<double> ComputeParallax(const std::vector<RayMatch>& matches,
-                                    const SO3& second_from_first) {
-  std::vector<double> angles;
-  angles.reserve(matches.size());
-  for (const RayMatch& match : matches) {
-    const Eigen::Vector3d expected = second_from_first * UnitRay(match.first);
-    const Eigen::Vector3d seen = UnitRay(match.second);
-    angles.push_back(std::atan2(expected.cross(seen).norm(), expected.dot(seen)));
-  }
-  return angles;
-}
 
 ModelScore ScoreEssential(const Eigen::Matrix3d& essential, const std::vector<RayMatch>& matches) {
   ModelScore score;
@@ -256,12 +226,9 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& homography,
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options) {
   TwoViewResult result;
-  const SO3 rotation = EstimateRotation(matches);
-  const double parallax = Median(ComputeParallax(matches, rotation));
-  result.parallax_deg = parallax * 180 / std::numbers::pi;
-  if (parallax < options.min_parallax_sigmas * MedianSigma(matches)) {
-    const bool turned = rotation.Log().norm() > options.min_parallax_deg * std::numbers::pi / 180;
-    result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
+  if (JudgeRotation(matches, options, result)) return result;
+  if (static_cast<int>(matches.size()) < options.min_matches) {
+    result.reason = Reason::kTooFewMatches;
     return result;
   }
   const auto essential = FindEssential(matches);

@@ -1,31 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "vo/frame_result.h"
 #include "vo/lie/se3.h"
+#include "vo/lie/so3.h"
 #include "vo/options.h"
+#include "vo/ray_match.h"
 
 namespace corvo {
-
-/// Corresponding rays (x/z, y/z) of two views, and their standard deviations in the same unit.
-struct RayMatch {
-  Eigen::Vector2d first;
-  Eigen::Vector2d second;
-  double sigma = 1;  ///< Of either ray, each axis.
-};
-
-/// Rotation between two views that explains the matches best if the camera did not move: least
-/// squares over unit rays (Kabsch), reweighted towards the median so that half of the matches may
-/// be wrong.
-SO3 EstimateRotation(const std::vector<RayMatch>& matches);
-
-/// Angle between each first ray, rotated, and the second: the parallax, radians.
-std::vector<double> ComputeParallax(const std::vector<RayMatch>& matches,
-                                    const SO3& second_from_first);
 
 /// How well one model explains the matches: sum over matches of what the squared error (in units of
 /// sigma²) stays below a common bound, as in Mur-Artal et al., "ORB-SLAM", 2015, section IV.
@@ -53,6 +40,9 @@ struct TwoViewPoint {
 struct TwoViewResult {
   Reason reason = Reason::kNone;  ///< kNoId: the motion is accepted.
   SE3 first_from_second;          ///< The baseline has length 1.
+  /// Set if the camera turned or stood still, as far as the matches tell (kRotationOnly,
+  /// kLowParallax).
+  std::optional<SO3> first_from_second_rotation;
   std::vector<TwoViewPoint> points;
   int num_inliers = 0;
   double parallax_deg = 0;  ///< Median over the matches, rotation removed.
@@ -60,8 +50,9 @@ struct TwoViewResult {
 
 /// Essential matrix (robust, fixed seed) against homography and pure rotation. Estimators return a
 /// confident essential matrix under pure rotation and for planes, so its own inliers never decide:
-/// accepted only if there is parallax, if the homography does not explain the matches too, and if
-/// one of the four motions in E clearly puts the most points in front of both views.
+/// accepted only if there are enough matches, if there is parallax, if the homography does not
+/// explain the matches too, and if one of the four motions in E clearly puts the most points in
+/// front of both views.
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options);
 

@@ -95,16 +95,35 @@ TEST(RealSequenceTest, EurocStandingStillHasNoPose) {
   EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
 }
 
-TEST(RealSequenceTest, TurningOnTheSpotIsSaid) {
-  CORVO_REQUIRE_DATA("tum/rgbd_dataset_freiburg1_rpy");
+/// Rotation of each frame that has one, at the origin.
+PoseSequence RotationsOf(const Trajectory& trajectory) {
+  PoseSequence rotations;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera_rotation) continue;
+    rotations.push_back(
+        {frame.time_ns, SE3(*frame.world_from_camera_rotation, Eigen::Vector3d::Zero())});
+  }
+  return rotations;
+}
+
+TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
+  const std::string folder = "tum/rgbd_dataset_freiburg1_rpy";
+  CORVO_REQUIRE_DATA(folder);
   const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "tum_fr1.yaml").camera;
-  const Trajectory trajectory = RunOnFolder("tum/rgbd_dataset_freiburg1_rpy", &camera, 6);
-  int num_rotations = 0;
+  const Trajectory trajectory = RunOnFolder(folder, &camera, 6);
   for (const FrameResult& frame : trajectory.frames) {
     EXPECT_EQ(frame.reason == Reason::kNone, frame.world_from_camera.has_value()) << frame.index;
-    num_rotations += frame.reason == Reason::kRotationOnly;
+    const bool is_turning = frame.state == State::kTracking || frame.state == State::kRotationOnly;
+    EXPECT_EQ(is_turning, frame.world_from_camera_rotation.has_value()) << frame.index;
   }
-  EXPECT_GE(num_rotations, 1);
+  if (test::IsShortRun()) return;
+  const PoseSequence rotations = RotationsOf(trajectory);
+  EXPECT_GE(rotations.size(), 0.8 * static_cast<double>(trajectory.frames.size()));
+  const std::vector<PosePair> pairs =
+      Associate(rotations, ReadTum(test::DataPath(folder + "/groundtruth.txt")), 15'000'000);
+  const double rmse_deg = RelativeErrorOverTime(pairs, 1'000'000'000).rotation_deg.rmse;
+  ::testing::Test::RecordProperty("rotation_rmse_deg", std::to_string(rmse_deg));
+  EXPECT_LE(rmse_deg, 3.0);
 }
 
 }  // namespace

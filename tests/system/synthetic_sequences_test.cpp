@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "apps/synthetic/sequence.h"
+#include "tests/support/matchers.h"
 #include "tests/system/sequence_runner.h"
 
 namespace corvo {
@@ -56,13 +57,43 @@ TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
   ExpectAccurate(MakeRoom(options), 0.5, 0.9);
 }
 
-TEST(SyntheticSequenceTest, PureRotationInventsNoTranslation) {
-  const Trajectory trajectory = RunOn(MakePureRotation(Film(60, 640, 3)));
+TEST(SyntheticSequenceTest, TwoSecondsOfDarkAreRecoveredFromInTheSameSegment) {
+  SequenceOptions options = Film(180, 640, 3);
+  options.effects.dark = {2, 2};
+  const Sequence sequence = MakeRoom(options);
+  const Trajectory trajectory = RunOn(sequence);
+  if (test::IsShortRun()) return;
+  int num_posed_after = 0;
+  for (const FrameResult& frame : trajectory.frames) {
+    const double seconds = sequence.SecondsAt(frame.index);
+    if (options.effects.dark.Contains(seconds)) {
+      EXPECT_FALSE(frame.world_from_camera) << frame.index;
+      EXPECT_EQ(frame.state, State::kLost) << frame.index;
+      EXPECT_NE(frame.reason, Reason::kNone) << frame.index;
+    }
+    if (frame.world_from_camera) {
+      EXPECT_EQ(frame.segment, 0) << frame.index;
+    }
+    num_posed_after += seconds >= 4 && frame.world_from_camera;
+  }
+  EXPECT_GE(num_posed_after, 50);
+  const Evaluation evaluation = test::EvaluatePosed(trajectory, sequence.poses());
+  EXPECT_LE(evaluation.absolute.rmse, 0.01 * evaluation.truth_path_length);
+}
+
+TEST(SyntheticSequenceTest, PureRotationIsTrackedAndInventsNoTranslation) {
+  const Sequence sequence = MakePureRotation(Film(60, 640, 3));
+  const Trajectory trajectory = RunOn(sequence);
   EXPECT_EQ(trajectory.PosedShare(), 0);
   if (test::IsShortRun()) return;
   int num_said = 0;
   for (const FrameResult& frame : trajectory.frames) {
     num_said += frame.reason == Reason::kRotationOnly;
+    if (frame.index == 0) continue;
+    ASSERT_TRUE(frame.world_from_camera_rotation) << frame.index;
+    EXPECT_THAT(*frame.world_from_camera_rotation,
+                test::IsRotationNear(sequence.poses()[frame.index].world_from_camera.rotation(), 1))
+        << frame.index;
   }
   EXPECT_GT(num_said, 20);
 }

@@ -70,6 +70,21 @@ TEST_F(InitializerTest, NeverAcceptsAPureRotation) {
   }
 }
 
+TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
+  const auto turned = [](double angle) {
+    return SE3(SO3::Exp({0, angle, 0.3 * angle}), Eigen::Vector3d::Zero());
+  };
+  test::SceneView posed = test::ObserveScene(scene_, camera_, turned(0), 0.3, random_);
+  posed.frame.index = 7;
+  initializer_.StartFrom(std::move(posed.frame));
+  const InitializationResult result = Add(turned(0.15));
+  EXPECT_EQ(result.reason, Reason::kRotationOnly);
+  EXPECT_EQ(result.reference, 7);
+  ASSERT_TRUE(result.reference_from_newest);
+  EXPECT_THAT(*result.reference_from_newest, test::IsRotationNear(turned(0.15).rotation(), 0.1));
+  EXPECT_FALSE(Add(Shifted(0.6)).reference_from_newest);
+}
+
 TEST_F(InitializerTest, ForgetsTheOldestFrames) {
   InitializerOptions options;
   options.max_waiting_frames = 3;

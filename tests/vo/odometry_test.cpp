@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -143,7 +144,7 @@ TEST(OdometryTest, ABlankPictureIsSaidAndTrackingGoesOnAfterIt) {
   drive[12] = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));
   const Trajectory trajectory = RunDrive(drive, 1);
   EXPECT_EQ(trajectory.frames[12].state, State::kLost);
-  EXPECT_EQ(trajectory.frames[12].reason, Reason::kTooFewMatches);
+  EXPECT_EQ(trajectory.frames[12].reason, Reason::kTooFewFeatures);
   EXPECT_FALSE(trajectory.frames[12].world_from_camera);
   for (int i = 13; i < 20; ++i) {
     EXPECT_EQ(trajectory.frames[i].state, State::kTracking) << i;
@@ -166,6 +167,39 @@ TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
   EXPECT_NEAR(step(29) / step(13), 1, 0.3);
   EXPECT_GT(trajectory.frames[29].world_from_camera->translation().x(),
             trajectory.frames[13].world_from_camera->translation().x());
+}
+
+TEST(OdometryTest, WhereverItIsSetDownAgainItIsFoundInTheSameSegment) {
+  std::vector<cv::Mat> drive = MakeDrive(25, 8);
+  drive.push_back(cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
+  for (int i = 8; i < 14; ++i) drive.push_back(drive[i]);  // Back where it has been.
+  const Trajectory trajectory = RunDrive(drive, 1);
+  for (int i = 0; i < 6; ++i) {
+    const FrameResult& before = trajectory.frames[8 + i];
+    const FrameResult& after = trajectory.frames[26 + i];
+    ASSERT_TRUE(before.world_from_camera && after.world_from_camera) << i;
+    EXPECT_EQ(after.segment, 0) << i;
+    EXPECT_THAT(*after.world_from_camera, test::IsPoseNear(*before.world_from_camera, 0.3, 0.02));
+  }
+}
+
+TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
+  std::vector<cv::Mat> drive = MakeDrive(12, 7);
+  for (const cv::Mat& picture : MakeDrive(12, 20)) drive.push_back(picture);
+  for (const double max_lost_s : {0.0, 0.5, 10.0}) {
+    OdometryOptions options;
+    options.relocalizer.max_lost_s = max_lost_s;
+    Odometry odometry(test::PinholeCamera(), options);
+    double started_s = 100;
+    for (int i = 0; i < 24; ++i) {
+      const FrameResult result = odometry.Process(drive[i], (i + 1) * kFrameTime);
+      if (result.segment == 1) started_s = std::min(started_s, 0.1 * (i - 11));
+    }
+    EXPECT_GE(started_s, max_lost_s);
+    if (max_lost_s <= 0.5) {
+      EXPECT_LE(started_s, max_lost_s + 0.5);
+    }
+  }
 }
 
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {

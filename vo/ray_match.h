@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace corvo {
+
+/// Corresponding rays (x/z, y/z) of two views, and their standard deviations in the same unit.
+struct RayMatch {
+  Eigen::Vector2d first;
+  Eigen::Vector2d second;
+  double sigma = 1;  ///< Of either ray, each axis.
+};
+
+}  // namespace corvo

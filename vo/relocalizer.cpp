@@ -1,0 +1,94 @@
+#include "vo/relocalizer.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "orb/matcher.h"
+
+namespace corvo {
+namespace {
+
+/// The newest keyframes of a segment that are not retired, newest first.
+std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
+  std::vector<KeyframeId> keyframes;
+  for (KeyframeId id = map.num_keyframes() - 1; id >= 0; --id) {
+    if (static_cast<int>(keyframes.size()) == max_keyframes) break;
+    const Keyframe& keyframe = map.keyframe(id);
+    if (keyframe.segment == segment && !keyframe.retired()) keyframes.push_back(id);
+  }
+  return keyframes;
+}
+
+/// Landmarks that the keyframes see, in id order.
+std::set<LandmarkId> CollectLandmarks(const Map& map, const std::vector<KeyframeId>& keyframes) {
+  std::set<LandmarkId> landmarks;
+  for (const KeyframeId id : keyframes) {
+    const std::vector<LandmarkId>& seen = map.keyframe(id).frame.landmarks;
+    landmarks.insert(seen.begin(), seen.end());
+  }
+  landmarks.erase(kNoId);
+  return landmarks;
+}
+
+/// The landmark most like each keypoint of the frame, where one is like it at all.
+std::vector<LandmarkId> FindSimilar(const Map& map, const std::set<LandmarkId>& landmarks,
+                                    int max_distance, const Frame& frame) {
+  const std::vector<LandmarkId> ids(landmarks.begin(), landmarks.end());
+  std::vector<orb::Descriptor> descriptors;
+  for (const LandmarkId id : ids) descriptors.push_back(map.FindLandmark(id)->descriptor);
+  std::vector<LandmarkId> similar;
+  const std::vector<orb::Nearest> nearest =
+      orb::FindNearest(frame.features.descriptors, descriptors);
+  for (const orb::Match& match : orb::KeepNear(nearest, max_distance)) {
+    similar.push_back(ids[match.train]);
+  }
+  return similar;
+}
+
+/// Of `keyframes`, those that see the most of `landmarks`, most first.
+std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<KeyframeId>& keyframes,
+                                         const std::vector<LandmarkId>& landmarks,
+                                         const RelocalizerOptions& options) {
+  std::map<KeyframeId, int> votes;
+  for (const LandmarkId id : landmarks) {
+    for (const Observation& observation : map.FindLandmark(id)->observations) {
+      ++votes[observation.keyframe];
+    }
+  }
+  std::vector<KeyframeId> candidates = keyframes;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](KeyframeId a, KeyframeId b) { return votes[a] > votes[b]; });
+  if (static_cast<int>(candidates.size()) > options.max_candidates) {
+    candidates.resize(options.max_candidates);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+TrackingResult Relocalize(const Map& map, int segment, const Camera& camera,
+                          const KeypointNoise& noise, const TrackerOptions& tracker,
+                          const RelocalizerOptions& options, Frame& frame) {
+  const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options.max_keyframes);
+  const std::vector<LandmarkId> similar =
+      FindSimilar(map, CollectLandmarks(map, keyframes), tracker.max_distance, frame);
+  TrackingResult best;
+  best.reason = Reason::kTooFewMatches;
+  for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options)) {
+    const Frame& keyframe = map.keyframe(id).frame;
+    TrackingResult tracking =
+        TrackFrame(map, keyframe, keyframe.world_from_camera, camera, noise, tracker, frame);
+    if (tracking.reason == Reason::kNone && tracking.num_inliers >= options.min_inliers) {
+      return tracking;
+    }
+    if (tracking.num_inliers > best.num_inliers) {
+      best = std::move(tracking);
+      best.reason = Reason::kTooFewInliers;
+    }
+  }
+  return best;
+}
+
+}  // namespace corvo

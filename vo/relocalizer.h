@@ -1,0 +1,20 @@
+#pragma once
+
+#include "vo/camera.h"
+#include "vo/frame.h"
+#include "vo/keypoint_noise.h"
+#include "vo/map.h"
+#include "vo/options.h"
+#include "vo/tracker.h"
+
+namespace corvo {
+
+/// Locates a frame without any idea of where it is, in the map of one segment. Each keypoint votes
+/// for the newest keyframes that see the landmark most like it; the frame is then tracked from the
+/// keyframes with the most votes, one after the other, until enough landmarks agree with a pose.
+/// On success sets the frame's pose and landmarks.
+TrackingResult Relocalize(const Map& map, int segment, const Camera& camera,
+                          const KeypointNoise& noise, const TrackerOptions& tracker,
+                          const RelocalizerOptions& options, Frame& frame);
+
+}  // namespace corvo
