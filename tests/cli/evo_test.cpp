@@ -1,5 +1,8 @@
 // corvo's measures against those of evo, run as an external program on stored trajectories.
 
+#include <cmath>
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +27,9 @@ struct Measure {
   std::vector<std::string> eval;  ///< Options of `corvo eval`.
   std::string json_pointer;       ///< Where `corvo eval --json` has it.
 };
+
+/// How GoogleTest shows it.
+void PrintTo(const Measure& measure, std::ostream* stream) { *stream << measure.evo[0]; }
 
 class Evo : public testing::TestWithParam<Measure> {
  protected:
