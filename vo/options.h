@@ -59,7 +59,7 @@ struct TrackerOptions {
 struct RelocalizerOptions {
   int max_keyframes = 200;
   int max_candidates = 5;
-  int min_inliers = 30;
+  int min_inliers = 25;
   double max_lost_s = 1.0;
 
   template <typename Self, typename Visitor>
