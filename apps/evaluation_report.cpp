@@ -9,17 +9,8 @@ using Json = nlohmann::ordered_json;
 
 double Seconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
 
-Json StatisticsJson(const ErrorStatistics& errors) {
-  return {{"count", errors.count},
-          {"rmse", errors.rmse},
-          {"mean", errors.mean},
-          {"median", errors.median},
-          {"max", errors.max}};
-}
-
 Json RelativeJson(const RelativeError& error) {
-  return {{"translation", StatisticsJson(error.translation)},
-          {"rotation_deg", StatisticsJson(error.rotation_deg)}};
+  return {{"translation", ToJson(error.translation)}, {"rotation_deg", ToJson(error.rotation_deg)}};
 }
 
 /// With what the motions span under the name `key`.
@@ -54,15 +45,8 @@ double PercentOfPath(const Evaluation& evaluation) {
   return 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
 }
 
-std::string StatisticsText(const std::string& name, const ErrorStatistics& errors,
-                           const char* unit) {
-  return fmt::format("{:<22} rmse {:.6g}, mean {:.6g}, median {:.6g}, max {:.6g}{}\n", name,
-                     errors.rmse, errors.mean, errors.median, errors.max, unit);
-}
-
 std::string RelativeText(const std::string& name, const RelativeError& error) {
-  return StatisticsText(name, error.translation, "") +
-         StatisticsText("", error.rotation_deg, " deg");
+  return ToText(name, error.translation, "") + ToText("", error.rotation_deg, " deg");
 }
 
 std::string DriftText(const Evaluation& evaluation) {
@@ -80,6 +64,14 @@ std::string DriftText(const Evaluation& evaluation) {
 
 }  // namespace
 
+Json ToJson(const ErrorStatistics& errors) {
+  return {{"count", errors.count},
+          {"rmse", errors.rmse},
+          {"mean", errors.mean},
+          {"median", errors.median},
+          {"max", errors.max}};
+}
+
 Json ToJson(const Evaluation& evaluation) {
   const EvaluationOptions& options = evaluation.options;
   Json json;
@@ -87,7 +79,7 @@ Json ToJson(const Evaluation& evaluation) {
   json["coverage"] = evaluation.coverage;
   json["max_dt_s"] = Seconds(*options.max_dt_ns);
   json["truth_path_length"] = evaluation.truth_path_length;
-  json["ate"] = StatisticsJson(evaluation.absolute);
+  json["ate"] = ToJson(evaluation.absolute);
   json["ate"]["percent_of_path"] = PercentOfPath(evaluation);
   json["rpe_frames"] =
       RelativeJson("frames", options.relative_delta_frames, evaluation.relative_frames);
@@ -106,13 +98,19 @@ Json ToJson(const Evaluation& evaluation) {
   return json;
 }
 
+std::string ToText(const std::string& name, const ErrorStatistics& errors,
+                   const std::string& unit) {
+  return fmt::format("{:<22} rmse {:.6g}, mean {:.6g}, median {:.6g}, max {:.6g}{}\n", name,
+                     errors.rmse, errors.mean, errors.median, errors.max, unit);
+}
+
 std::string ToText(const Evaluation& evaluation) {
   const EvaluationOptions& options = evaluation.options;
   std::string text =
       fmt::format("{:<22} {} pairs, {:.1f}% of the truth's poses, path {:.6g}\n", "compared",
                   evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
-  text += StatisticsText("ATE", evaluation.absolute,
-                         fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)).c_str());
+  text += ToText("ATE", evaluation.absolute,
+                         fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));
   text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
                                    options.relative_delta_frames == 1 ? "" : "s"),
                        evaluation.relative_frames);

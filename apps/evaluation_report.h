@@ -9,8 +9,12 @@
 namespace corvo {
 
 nlohmann::ordered_json ToJson(const Evaluation& evaluation);
+nlohmann::ordered_json ToJson(const ErrorStatistics& errors);
 
 /// One line a measure, for people.
 std::string ToText(const Evaluation& evaluation);
+
+/// One line of it.
+std::string ToText(const std::string& name, const ErrorStatistics& errors, const std::string& unit);
 
 }  // namespace corvo

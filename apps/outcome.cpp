@@ -22,9 +22,11 @@ int CountPosedFrames(const Trajectory& trajectory) {
 Outcome JudgeOutcome(const Trajectory& trajectory) {
   const int segments = CountPosedSegments(trajectory);
   if (segments == 0) return Outcome::kNeverInitialized;
-  const bool lost =
-      std::any_of(trajectory.frames.begin(), trajectory.frames.end(),
-                  [](const FrameResult& frame) { return frame.state == State::kLost; });
+  const auto is_posed = [](const FrameResult& frame) {
+    return frame.world_from_camera.has_value();
+  };
+  const auto first = std::find_if(trajectory.frames.begin(), trajectory.frames.end(), is_posed);
+  const bool lost = !std::all_of(first, trajectory.frames.end(), is_posed);
   return lost || segments > 1 ? Outcome::kLost : Outcome::kDone;
 }
 

@@ -51,6 +51,7 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
   const PoseSequence poses = trajectory.PosedFrames();
   WriteTum(output.Stage("trajectory.tum"), poses);
   WriteEurocPoses(output.Stage("trajectory_euroc.csv"), poses);
+  WriteTum(output.Stage("rotations.tum"), trajectory.Rotations());
   WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(trajectory));
   if (WhyNotKitti(trajectory).empty()) {
     WriteKittiPoses(output.Stage("trajectory.kitti"), KittiRows(trajectory));
@@ -83,8 +84,8 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
     spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
   output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
-                 "groundtruth.tum", "map.ply", "frames.csv", "timing.csv", "config.yaml",
-                 "environment.json", "trajectory.png", "summary.json"});
+                 "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv",
+                 "config.yaml", "environment.json", "trajectory.png", "summary.json"});
 }
 
 }  // namespace corvo

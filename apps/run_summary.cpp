@@ -100,6 +100,21 @@ std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSe
   }
 }
 
+std::optional<TimeNs> MaxDt(const RunArguments& arguments) {
+  if (!arguments.max_dt_s) return std::nullopt;
+  return std::llround(1e9 * *arguments.max_dt_s);
+}
+
+/// Rotations relative to one another: they need no alignment, and are there where poses are not.
+std::optional<ErrorStatistics> EvaluateRotations(const PoseSequence& rotations,
+                                                 const PoseSequence& truth,
+                                                 std::optional<TimeNs> max_dt_ns) {
+  constexpr TimeNs kSecond = 1'000'000'000;
+  const auto pairs = Associate(rotations, truth, max_dt_ns.value_or(HalfFrame(rotations)));
+  const ErrorStatistics errors = RelativeErrorOverTime(pairs, kSecond).rotation_deg;
+  return errors.count > 0 ? std::optional(errors) : std::nullopt;
+}
+
 }  // namespace
 
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
@@ -108,6 +123,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.outcome = JudgeOutcome(trajectory);
   summary.num_frames = static_cast<int>(trajectory.frames.size());
   summary.num_posed = CountPosedFrames(trajectory);
+  summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
   summary.num_segments = CountPosedSegments(trajectory);
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = CountLandmarks(map);
@@ -117,8 +133,10 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.residuals = MeasureAndWarn(inputs, map);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
-    if (arguments.max_dt_s) options.max_dt_ns = std::llround(1e9 * *arguments.max_dt_s);
+    options.max_dt_ns = MaxDt(arguments);
     summary.evaluation = TryEvaluate(trajectory.PosedFrames(), inputs.truth.poses, options);
+    summary.rotation_deg =
+        EvaluateRotations(trajectory.Rotations(), inputs.truth.poses, MaxDt(arguments));
   }
   return summary;
 }
@@ -135,6 +153,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["frames"] = summary.num_frames;
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
+  json["rotations"] = summary.num_rotations;
   json["segments"] = summary.num_segments;
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
@@ -150,6 +169,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   if (arguments.metres_per_unit) json["metres_per_unit"] = *arguments.metres_per_unit;
   if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
+  if (summary.rotation_deg) json["rotation_over_1s_deg"] = ToJson(*summary.rotation_deg);
   return json;
 }
 
@@ -161,6 +181,10 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
   text += ReasonsText(summary);
   if (summary.evaluation) text += ToText(*summary.evaluation);
+  if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {
+    text += ToText(fmt::format("{} rotations, 1 s", summary.num_rotations), *summary.rotation_deg,
+                   " deg");
+  }
   for (const char* name : {"trajectory.tum", "frames.csv", "summary.json", "trajectory.png"}) {
     const std::filesystem::path file = arguments.output / name;
     if (std::filesystem::exists(file)) text += file.string() + "\n";

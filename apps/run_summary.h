@@ -19,6 +19,7 @@ struct RunSummary {
   Outcome outcome = Outcome::kDone;
   int num_frames = 0;
   int num_posed = 0;
+  int num_rotations = 0;  ///< Frames whose rotation is known, posed or not.
   int num_segments = 0;
   int num_keyframes = 0;
   int num_landmarks = 0;
@@ -27,6 +28,8 @@ struct RunSummary {
   std::string why_not_kitti;      ///< Why there is no trajectory.kitti; empty if there is.
   std::optional<MatchResiduals> residuals;
   std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
+  /// Of all rotations, over one second and in degrees; likewise.
+  std::optional<ErrorStatistics> rotation_deg;
 };
 
 /// Warns of a calibration that does not fit the pictures.

@@ -10,6 +10,16 @@ PoseSequence Trajectory::PosedFrames() const {
   return poses;
 }
 
+PoseSequence Trajectory::Rotations() const {
+  PoseSequence rotations;
+  for (const FrameResult& frame : frames) {
+    if (!frame.world_from_camera_rotation) continue;
+    rotations.push_back(
+        {frame.time_ns, SE3(*frame.world_from_camera_rotation, Eigen::Vector3d::Zero())});
+  }
+  return rotations;
+}
+
 double Trajectory::PosedShare() const {
   if (frames.empty()) return 0;
   return static_cast<double>(PosedFrames().size()) / static_cast<double>(frames.size());

@@ -21,6 +21,8 @@ struct Trajectory {
   std::vector<FrameResult> frames;
 
   PoseSequence PosedFrames() const;
+  /// The rotation of every frame that has one, posed or not, all at the origin.
+  PoseSequence Rotations() const;
   double PosedShare() const;  ///< Of all frames, 0 to 1.
 };
 

@@ -23,6 +23,7 @@ FrameResult Unposed(State state, Reason reason) {
 }
 
 const FrameResult kWaiting = Unposed(State::kInitializing, Reason::kLowParallax);
+const FrameResult kTurned = Unposed(State::kRotationOnly, Reason::kRotationOnly);
 const FrameResult kLost = Unposed(State::kLost, Reason::kTooFewInliers);
 
 TEST(JudgeOutcome, IsDoneWhenTrackedToTheEndFromWhereItBegan) {
@@ -38,6 +39,7 @@ TEST(JudgeOutcome, IsNeverInitializedWithoutAPose) {
 TEST(JudgeOutcome, IsLostAfterAGapOrInSeveralSegments) {
   EXPECT_EQ(JudgeOutcome({{Posed(0), kLost}}), Outcome::kLost);
   EXPECT_EQ(JudgeOutcome({{Posed(0), kLost, Posed(0)}}), Outcome::kLost);
+  EXPECT_EQ(JudgeOutcome({{Posed(0), kTurned, Posed(0)}}), Outcome::kLost);
   EXPECT_EQ(JudgeOutcome({{Posed(0), Posed(1)}}), Outcome::kLost);
 }
 

@@ -79,6 +79,9 @@ TEST_F(Pipeline, PosesEveryFrameOfAStreet) {
   EXPECT_LT(summary["evaluation"]["ate"]["percent_of_path"], 0.5);
   EXPECT_EQ(summary["trajectory_kitti"], "written");
   EXPECT_EQ(ReadKittiPoses(Result() / "trajectory.kitti").size(), kFrames);
+  EXPECT_EQ(ReadTum(Result() / "rotations.tum").size(), kFrames);
+  EXPECT_EQ(summary["rotations"], kFrames);
+  EXPECT_LT(summary["rotation_over_1s_deg"]["rmse"], 0.5);
   EXPECT_EQ(ReadEurocPoses(Result() / "trajectory_euroc.csv").size(), kFrames);
   const std::string vertices =
       "element vertex " +
@@ -120,9 +123,9 @@ TEST_F(Pipeline, WritesMetresAndDraws) {
 TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);
-  for (const char* name :
-       {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum", "map.ply",
-        "frames.csv", "summary.json", "config.yaml", "trajectory.png"}) {
+  for (const char* name : {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv",
+                           "keyframes.tum", "rotations.tum", "map.ply", "frames.csv",
+                           "summary.json", "config.yaml", "trajectory.png"}) {
     EXPECT_EQ(ReadText(Result() / name), ReadText(two / name)) << name;
   }
 }

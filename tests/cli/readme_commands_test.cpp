@@ -35,6 +35,7 @@ class ReadmeCommands : public testing::TestWithParam<const char*> {
     const fs::path truth = result / "groundtruth.tum";
     if (!fs::exists(truth)) return;
     fs::copy_file(truth, result / "trajectory.tum", fs::copy_options::overwrite_existing);
+    fs::copy_file(truth, result / "rotations.tum", fs::copy_options::overwrite_existing);
     WriteText(result / "trajectory.kitti", "");
   }
 

@@ -29,9 +29,9 @@ const char* const kCamera =
 
 const char* const kShippedCamera = CORVO_SOURCE_DIR "/configs/7scenes.yaml";
 
-const char* const kReproducibleFiles[] = {"trajectory.tum", "keyframes.tum", "map.ply",
-                                          "frames.csv",     "summary.json",  "config.yaml",
-                                          "trajectory.png"};
+const char* const kReproducibleFiles[] = {"trajectory.tum", "rotations.tum", "trajectory_euroc.csv",
+                                          "keyframes.tum",  "map.ply",       "frames.csv",
+                                          "summary.json",   "config.yaml",   "trajectory.png"};
 
 int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

@@ -54,5 +54,18 @@ TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
             SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
 }
 
+TEST(TrajectoryTest, RotationsAreThoseOfUnposedFramesToo) {
+  Trajectory trajectory;
+  trajectory.frames = {MakeFrame(10, false), MakeFrame(20, false), MakeFrame(30, true)};
+  const SO3 rotation = SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3));
+  trajectory.frames[1].world_from_camera_rotation = rotation;
+  trajectory.frames[2].world_from_camera_rotation = SO3();
+  const PoseSequence rotations = trajectory.Rotations();
+  ASSERT_EQ(rotations.size(), 2);
+  EXPECT_EQ(rotations[0].time_ns, 20);
+  EXPECT_EQ(rotations[0].world_from_camera, SE3(rotation, Eigen::Vector3d::Zero()));
+  EXPECT_EQ(rotations[1].world_from_camera, SE3());
+}
+
 }  // namespace
 }  // namespace corvo
