@@ -110,7 +110,7 @@ std::string ToText(const Evaluation& evaluation) {
       fmt::format("{:<22} {} pairs, {:.1f}% of the truth's poses, path {:.6g}\n", "compared",
                   evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
   text += ToText("ATE", evaluation.absolute,
-                         fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));
+                 fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));
   text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
                                    options.relative_delta_frames == 1 ? "" : "s"),
                        evaluation.relative_frames);
