@@ -99,11 +99,10 @@ void Initializer::Keep(Frame frame) {
   reference_ = std::max(0, reference_ - 1);
 }
 
-void Initializer::MakeMap(const std::vector<orb::Match>& matches,
-                          InitializationResult& result) const {
+void Initializer::MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result) {
   const Frame& first = frames_[reference_];
   const Frame& second = frames_.back();
-  const TwoViewResult motion = EstimateTwoViewMotion(ToRayMatches(matches), options_);
+  const TwoViewResult motion = EstimateMotion(matches);
   result.reason = motion.reason;
   result.num_inliers = motion.num_inliers;
   result.parallax_deg = motion.parallax_deg;
@@ -118,6 +117,15 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches,
   }
   NormalizeDepth(map);
   result.map = std::move(map);
+}
+
+TwoViewResult Initializer::EstimateMotion(const std::vector<orb::Match>& matches) {
+  const std::vector<RayMatch> rays = ToRayMatches(matches);
+  TwoViewResult motion = EstimateTwoViewMotion(rays, options_);
+  if (motion.reason != Reason::kPlanar) return motion;
+  const std::vector<PlanarMotion> kept =
+      planes_.Keep(frames_[reference_].index, motion.planar_motions);
+  return kept.size() == 1 ? TriangulatePlanarMotion(rays, kept.front(), options_) : motion;
 }
 
 SO3 Initializer::RefineRotation(const SO3& reference_from_newest) const {

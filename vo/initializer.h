@@ -13,6 +13,7 @@
 #include "vo/keypoint_noise.h"
 #include "vo/lie/se3.h"
 #include "vo/options.h"
+#include "vo/planar_motion.h"
 #include "vo/two_view.h"
 
 namespace corvo {
@@ -65,7 +66,9 @@ class Initializer {
   /// Half-way to the newest frame: near enough to match again, far enough to keep some parallax.
   /// If there is one, a frame whose rotation is known.
   void MoveReference();
-  void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result) const;
+  void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result);
+  /// The twofold ambiguity of a plane is waited out.
+  TwoViewResult EstimateMotion(const std::vector<orb::Match>& matches);
   /// With more matches than without the rotation.
   SO3 RefineRotation(const SO3& reference_from_newest) const;
   std::vector<RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
@@ -74,6 +77,7 @@ class Initializer {
   KeypointNoise noise_;
   Camera camera_;
   std::deque<Frame> frames_;
+  PlaneHypotheses planes_;
   std::deque<bool> has_rotation_;  // Of each frame, whether its rotation is known.
   int reference_ = 0;
 };

@@ -1,7 +1,6 @@
 #include "vo/two_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -99,7 +98,7 @@ double SquaredTransferError(const Eigen::Matrix3d& homography, const Eigen::Vect
 }
 
 /// The four motions in an essential matrix: E ~ [t]x R (Hartley and Zisserman, 9.6.2).
-std::array<SE3, 4> DecomposeEssential(const Eigen::Matrix3d& essential) {
+std::vector<SE3> DecomposeEssential(const Eigen::Matrix3d& essential) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
   Eigen::Matrix3d v = svd.matrixV();
@@ -147,19 +146,18 @@ double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) 
 }
 
 /// The motion with the most points in front, or the reason why none stands out.
-void SelectMotion(const Eigen::Matrix3d& essential, const ModelScore& score,
+void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& score,
                   const std::vector<RayMatch>& matches, const InitializerOptions& options,
                   TwoViewResult& result) {
   constexpr double kMaxSecondMotion = 0.7;  // Of the best one's points.
   constexpr double kMinShareInFront = 0.9;  // Of the inliers.
   std::size_t second_best = 0;
-  for (const SE3& second_from_first : DecomposeEssential(essential)) {
-    std::vector<TwoViewPoint> points =
-        TriangulateInFront(matches, score.is_inlier, second_from_first);
+  for (const SE3& motion : second_from_first) {
+    std::vector<TwoViewPoint> points = TriangulateInFront(matches, score.is_inlier, motion);
     if (points.size() > result.points.size()) {
       second_best = result.points.size();
       result.points = std::move(points);
-      result.first_from_second = second_from_first.Inverse();
+      result.first_from_second = motion.Inverse();
     } else {
       second_best = std::max(second_best, points.size());
     }
@@ -192,6 +190,18 @@ bool JudgeRotation(const std::vector<RayMatch>& matches, const InitializerOption
   const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
   const bool turned = second_from_first.Angle() > min_turn;
   result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
+  return true;
+}
+
+/// Whether a plane explains the matches; if so, sets the reason and the motions it allows.
+bool JudgePlane(const Eigen::Matrix3d& homography, const ModelScore& essential_score,
+                const std::vector<RayMatch>& matches, const InitializerOptions& options,
+                TwoViewResult& result) {
+  const ModelScore score = ScoreHomography(homography, matches);
+  const double share = score.score / (score.score + essential_score.score);
+  if (!(share > options.max_homography_share)) return false;
+  result.reason = Reason::kPlanar;
+  result.planar_motions = DecomposeHomography(homography, matches, score.is_inlier);
   return true;
 }
 
@@ -239,13 +249,25 @@ TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
   }
   const ModelScore essential_score = ScoreEssential(*essential, matches);
   result.num_inliers = essential_score.num_inliers;
-  const double homography_score = homography ? ScoreHomography(*homography, matches).score : 0;
-  if (homography_score >
-      options.max_homography_share * (homography_score + essential_score.score)) {
-    result.reason = Reason::kPlanar;
+  if (homography && JudgePlane(*homography, essential_score, matches, options, result)) {
     return result;
   }
-  SelectMotion(*essential, essential_score, matches, options, result);
+  SelectMotion(DecomposeEssential(*essential), essential_score, matches, options, result);
+  return result;
+}
+
+TwoViewResult TriangulatePlanarMotion(const std::vector<RayMatch>& matches,
+                                      const PlanarMotion& motion,
+                                      const InitializerOptions& options) {
+  TwoViewResult result;
+  const SO3& rotation = motion.second_from_first.rotation();
+  const SE3 second_from_first(rotation, motion.second_from_first.translation().normalized());
+  const Eigen::Matrix3d essential = SO3::Hat(second_from_first.translation()) * rotation.matrix();
+  const ModelScore score = ScoreEssential(essential, matches);
+  result.num_inliers = score.num_inliers;
+  result.parallax_deg =
+      Median(ComputeParallax(matches, EstimateRotation(matches))) * 180 / std::numbers::pi;
+  SelectMotion({second_from_first}, score, matches, options, result);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "vo/lie/se3.h"
 #include "vo/lie/so3.h"
 #include "vo/options.h"
+#include "vo/planar_motion.h"
 #include "vo/ray_match.h"
 
 namespace corvo {
@@ -40,6 +41,8 @@ struct TwoViewPoint {
 struct TwoViewResult {
   Reason reason = Reason::kNone;  ///< kNoId: the motion is accepted.
   SE3 first_from_second;          ///< The baseline has length 1.
+  /// What the plane allows, if there is one (kPlanar).
+  std::vector<PlanarMotion> planar_motions;
   /// Set if the camera turned or stood still, as far as the matches tell (kRotationOnly,
   /// kLowParallax).
   std::optional<SO3> first_from_second_rotation;
@@ -55,5 +58,10 @@ struct TwoViewResult {
 /// front of both views.
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options);
+
+/// One of the motions that a plane allows, accepted on the same terms.
+TwoViewResult TriangulatePlanarMotion(const std::vector<RayMatch>& matches,
+                                      const PlanarMotion& motion,
+                                      const InitializerOptions& options);
 
 }  // namespace corvo

@@ -70,6 +70,17 @@ TEST_F(InitializerTest, NeverAcceptsAPureRotation) {
   }
 }
 
+TEST_F(InitializerTest, BeforeAPlaneItWaitsForASecondViewThatAgrees) {
+  scene_ = test::MakePlaneScene(600, 6, random_);
+  EXPECT_EQ(Add(Shifted(0)).reason, Reason::kReferenceFrame);
+  EXPECT_EQ(Add(Shifted(0.5)).reason, Reason::kPlanar);
+  const InitializationResult result = Add(Shifted(0.6));
+  ASSERT_TRUE(result.map) << ToString(result.reason);
+  const SE3& pose = result.map->first_from_second;
+  EXPECT_THAT(pose.rotation(), test::IsRotationNear(SO3(), 0.3));
+  EXPECT_GT(pose.translation().normalized().x(), 0.998);
+}
+
 TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
   const auto turned = [](double angle) {
     return SE3(SO3::Exp({0, angle, 0.3 * angle}), Eigen::Vector3d::Zero());

@@ -104,6 +104,20 @@ TEST(TwoViewTest, PlaneIsSaid) {
   const TwoViewResult result =
       EstimateTwoViewMotion(MatchViews(scene, truth, 0.5, 0, random), InitializerOptions());
   EXPECT_EQ(result.reason, Reason::kPlanar) << ToString(result.reason);
+  ASSERT_FALSE(result.planar_motions.empty());
+}
+
+TEST(TwoViewTest, APlanarMotionIsTriangulated) {
+  test::Random random(4);
+  const test::PointScene scene = test::MakePlaneScene(400, 6, random);
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.8, 0.1, 0));
+  const auto matches = MatchViews(scene, truth, 0.5, 0, random);
+  const TwoViewResult result =
+      TriangulatePlanarMotion(matches, {truth.Inverse(), Eigen::Vector3d::UnitZ()}, {});
+  EXPECT_EQ(result.reason, Reason::kNone) << ToString(result.reason);
+  EXPECT_NEAR(result.first_from_second.translation().norm(), 1, 1e-9);
+  EXPECT_LT(DirectionErrorDeg(result.first_from_second, truth), 1e-6);
+  EXPECT_GT(result.points.size(), 300u);
 }
 
 TEST(TwoViewTest, UnrelatedViewsHaveNoMotion) {
