@@ -33,7 +33,7 @@ struct InitialMap {
 
 /// What became of a frame given to the Initializer.
 struct InitializationResult {
-  Reason reason = Reason::kNone;  ///< kNoId: `map` is set.
+  Reason reason = Reason::kNone;  ///< kNone: `map` is set.
   std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
   int reference = kNoId;          ///< Input index of the reference frame.
   /// Set if between the two the camera turned or stood still, as far as the matches tell.

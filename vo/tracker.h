@@ -13,7 +13,7 @@ namespace corvo {
 
 /// What became of a frame that was looked for in the map.
 struct TrackingResult {
-  Reason reason = Reason::kNone;    ///< kNoId: the frame's pose and landmarks are set.
+  Reason reason = Reason::kNone;    ///< kNone: the frame's pose and landmarks are set.
   int num_matches = 0;              ///< Keypoints matched with landmarks.
   int num_inliers = 0;              ///< Of num_matches, those that agree with the pose.
   std::vector<LandmarkId> visible;  ///< Landmarks that should be seen from the pose.

@@ -39,16 +39,16 @@ struct TwoViewPoint {
 
 /// The motion between two views, or why there is none.
 struct TwoViewResult {
-  Reason reason = Reason::kNone;  ///< kNoId: the motion is accepted.
-  SE3 first_from_second;          ///< The baseline has length 1.
-  /// What the plane allows, if there is one (kPlanar).
-  std::vector<PlanarMotion> planar_motions;
+  SE3 first_from_second;  ///< The baseline has length 1.
   /// Set if the camera turned or stood still, as far as the matches tell (kRotationOnly,
   /// kLowParallax).
   std::optional<SO3> first_from_second_rotation;
+  /// What the plane allows, if there is one (kPlanar).
+  std::vector<PlanarMotion> planar_motions;
   std::vector<TwoViewPoint> points;
-  int num_inliers = 0;
   double parallax_deg = 0;  ///< Median over the matches, rotation removed.
+  int num_inliers = 0;
+  Reason reason = Reason::kNone;  ///< kNone: the motion is accepted.
 };
 
 /// Essential matrix (robust, fixed seed) against homography and pure rotation. Estimators return a
