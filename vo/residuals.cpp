@@ -1,10 +1,10 @@
 #include "vo/residuals.h"
 
-#include <algorithm>
 #include <set>
 
 #include "orb/matcher.h"
 #include "vo/landmark_projection.h"
+#include "vo/median.h"
 
 namespace corvo {
 namespace {
@@ -43,12 +43,6 @@ void AppendResiduals(const Map& map, const Keyframe& keyframe, const Camera& cam
   for (const orb::Match& match : orb::KeepUnique(orb::KeepNear(nearest, kMaxDistance))) {
     residuals.push_back((pixels[match.query] - keyframe.frame.pixel(match.train)).norm());
   }
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
