@@ -18,8 +18,8 @@ constexpr double kDefaultFrameRateHz = 30.0;  // Where a video does not say.
 /// What a video and a camera share: frames are grabbed in order, and decoded if they are wanted.
 class CaptureReader : public ImageReader {
  public:
-  CaptureReader(cv::VideoCapture capture, std::string name)
-      : capture_(std::move(capture)), name_(std::move(name)) {}
+  CaptureReader(const cv::VideoCapture& capture, std::string name)
+      : capture_(capture), name_(std::move(name)) {}
 
   std::optional<TimedImage> Read() override {
     if (!Skip()) return std::nullopt;
