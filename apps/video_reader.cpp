@@ -82,11 +82,12 @@ class CameraReader : public CaptureReader {
   Clock::time_point opened_ = Clock::now();
 };
 
-/// Errors of a backend are an unopened capture.
+/// By one backend, so that times and colours do not depend on which others are installed. Its
+/// errors are an unopened capture.
 template <typename Source>
-cv::VideoCapture OpenCapture(const Source& source) {
+cv::VideoCapture OpenCapture(const Source& source, int backend) {
   try {
-    return cv::VideoCapture(source);
+    return cv::VideoCapture(source, backend);
   } catch (const cv::Exception&) {
     return {};
   }
@@ -95,7 +96,7 @@ cv::VideoCapture OpenCapture(const Source& source) {
 }  // namespace
 
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
-  const cv::VideoCapture capture = OpenCapture(file.string());
+  const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
   if (!capture.isOpened()) {
     throw Error(fmt::format("{}: not a folder of pictures, nor a video that can be decoded",
                             file.string()));
@@ -105,7 +106,7 @@ std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<doubl
 
 std::unique_ptr<ImageReader> OpenCamera(int device) {
   const std::string name = fmt::format("camera:{}", device);
-  const cv::VideoCapture capture = OpenCapture(device);
+  const cv::VideoCapture capture = OpenCapture(device, cv::CAP_V4L2);
   if (!capture.isOpened()) throw Error(fmt::format("{}: there is no such camera", name));
   return std::make_unique<CameraReader>(capture, name);
 }

@@ -92,7 +92,7 @@ TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
   EXPECT_EQ(result.reason, Reason::kRotationOnly);
   EXPECT_EQ(result.reference, 7);
   ASSERT_TRUE(result.reference_from_newest);
-  EXPECT_THAT(*result.reference_from_newest, test::IsRotationNear(turned(0.15).rotation(), 0.1));
+  EXPECT_THAT(*result.reference_from_newest, test::IsRotationNear(turned(0.15).rotation(), 0.3));
   EXPECT_FALSE(Add(Shifted(0.6)).reference_from_newest);
 }
 
