@@ -187,21 +187,15 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
     if (static_cast<int>(moving.size()) == options.max_keyframes) break;
     moving.insert(covisible.keyframe);
   }
-  std::set<LandmarkId> landmarks;
-  for (const KeyframeId id : moving) {
-    for (const LandmarkId landmark : map.keyframe(id).frame.landmarks) {
-      if (landmark != kNoId) landmarks.insert(landmark);
-    }
-  }
+  AdjustmentWindow window;
+  window.moving.assign(moving.begin(), moving.end());
+  window.landmarks = map.FindSeen(window.moving);
   std::map<KeyframeId, int> num_seen;
-  for (const LandmarkId id : landmarks) {
+  for (const LandmarkId id : window.landmarks) {
     for (const Observation& o : map.FindLandmark(id)->observations) {
       if (moving.count(o.keyframe) == 0) ++num_seen[o.keyframe];
     }
   }
-  AdjustmentWindow window;
-  window.moving.assign(moving.begin(), moving.end());
-  window.landmarks.assign(landmarks.begin(), landmarks.end());
   for (const auto& [id, count] : num_seen) {
     if (count >= options.min_shared_landmarks) window.held.push_back(id);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "orb/hamming.h"
@@ -35,6 +36,15 @@ int FindMedoid(const std::vector<orb::Descriptor>& descriptors) {
 }
 
 }  // namespace
+
+std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, int max_count) {
+  std::vector<KeyframeId> keyframes;
+  for (const Covisible& entry : covisible) {
+    if (static_cast<int>(keyframes.size()) == max_count) break;
+    keyframes.push_back(entry.keyframe);
+  }
+  return keyframes;
+}
 
 const Landmark* Map::FindLandmark(LandmarkId id) const {
   if (id < 0 || id >= num_landmark_ids() || !landmarks_[id]) return nullptr;
@@ -158,6 +168,16 @@ void Map::UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scal
   const Frame& frame = keyframes_[first.keyframe].frame;
   landmark.max_distance = (landmark.in_world - frame.world_from_camera.translation()).norm() *
                           octave_scales[frame.keypoint(first.keypoint).octave];
+}
+
+std::vector<LandmarkId> Map::FindSeen(const std::vector<KeyframeId>& keyframes) const {
+  std::set<LandmarkId> landmarks;
+  for (const KeyframeId id : keyframes) {
+    const std::vector<LandmarkId>& seen = keyframes_[id].frame.landmarks;
+    landmarks.insert(seen.begin(), seen.end());
+  }
+  landmarks.erase(kNoId);
+  return {landmarks.begin(), landmarks.end()};
 }
 
 std::vector<Covisible> Map::FindCovisible(KeyframeId id, int min_shared) const {

@@ -52,6 +52,9 @@ struct Covisible {
   int num_shared = 0;
 };
 
+/// The first of them, at most `max_count`.
+std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, int max_count);
+
 /// Owns keyframes and landmarks. Links between them are ids, kept consistent both ways: keypoint k
 /// of keyframe f names landmark l if and only if l has the observation (f, k).
 class Map {
@@ -91,6 +94,9 @@ class Map {
 
   /// Recomputes descriptor, view direction and distance from the observations.
   void UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scales);
+
+  /// Landmarks that any of the keyframes sees, in id order.
+  std::vector<LandmarkId> FindSeen(const std::vector<KeyframeId>& keyframes) const;
 
   /// Keyframes that share at least `min_shared` landmarks with `id`, most first, then newest first.
   std::vector<Covisible> FindCovisible(KeyframeId id, int min_shared = 1) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "orb/matcher.h"
@@ -21,28 +20,16 @@ std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_ke
   return keyframes;
 }
 
-/// Landmarks that the keyframes see, in id order.
-std::set<LandmarkId> CollectLandmarks(const Map& map, const std::vector<KeyframeId>& keyframes) {
-  std::set<LandmarkId> landmarks;
-  for (const KeyframeId id : keyframes) {
-    const std::vector<LandmarkId>& seen = map.keyframe(id).frame.landmarks;
-    landmarks.insert(seen.begin(), seen.end());
-  }
-  landmarks.erase(kNoId);
-  return landmarks;
-}
-
 /// The landmark most like each keypoint of the frame, where one is like it at all.
-std::vector<LandmarkId> FindSimilar(const Map& map, const std::set<LandmarkId>& landmarks,
+std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId>& landmarks,
                                     int max_distance, const Frame& frame) {
-  const std::vector<LandmarkId> ids(landmarks.begin(), landmarks.end());
   std::vector<orb::Descriptor> descriptors;
-  for (const LandmarkId id : ids) descriptors.push_back(map.FindLandmark(id)->descriptor);
+  for (const LandmarkId id : landmarks) descriptors.push_back(map.FindLandmark(id)->descriptor);
   std::vector<LandmarkId> similar;
   const std::vector<orb::Nearest> nearest =
       orb::FindNearest(frame.features.descriptors, descriptors);
   for (const orb::Match& match : orb::KeepNear(nearest, max_distance)) {
-    similar.push_back(ids[match.train]);
+    similar.push_back(landmarks[match.train]);
   }
   return similar;
 }
@@ -73,7 +60,7 @@ TrackingResult Relocalize(const Map& map, int segment, const Camera& camera,
                           const RelocalizerOptions& options, Frame& frame) {
   const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options.max_keyframes);
   const std::vector<LandmarkId> similar =
-      FindSimilar(map, CollectLandmarks(map, keyframes), tracker.max_distance, frame);
+      FindSimilar(map, map.FindSeen(keyframes), tracker.max_distance, frame);
   TrackingResult best;
   best.reason = Reason::kTooFewMatches;
   for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options)) {

@@ -1,7 +1,5 @@
 #include "vo/residuals.h"
 
-#include <set>
-
 #include "orb/matcher.h"
 #include "vo/landmark_projection.h"
 #include "vo/median.h"
@@ -9,27 +7,17 @@
 namespace corvo {
 namespace {
 
-std::set<LandmarkId> LandmarksAround(const Map& map, KeyframeId id) {
-  constexpr int kMaxKeyframes = 10;
-  std::set<LandmarkId> landmarks;
-  int num_keyframes = 0;
-  for (const Covisible& covisible : map.FindCovisible(id)) {
-    if (num_keyframes++ == kMaxKeyframes) break;
-    for (const LandmarkId landmark : map.keyframe(covisible.keyframe).frame.landmarks) {
-      if (landmark != kNoId) landmarks.insert(landmark);
-    }
-  }
-  return landmarks;
-}
-
 void AppendResiduals(const Map& map, const Keyframe& keyframe, const Camera& camera,
                      const std::vector<double>& octave_scales, std::vector<double>& residuals) {
+  constexpr int kMaxKeyframes = 10;
   constexpr double kRadiusPx = 60;
   constexpr int kMaxDistance = 50;
   std::vector<orb::Descriptor> descriptors;
   std::vector<orb::SearchWindow> windows;
   std::vector<Eigen::Vector2d> pixels;
-  for (const LandmarkId id : LandmarksAround(map, keyframe.id)) {
+  const std::vector<KeyframeId> around =
+      FirstKeyframes(map.FindCovisible(keyframe.id), kMaxKeyframes);
+  for (const LandmarkId id : map.FindSeen(around)) {
     const Landmark& landmark = *map.FindLandmark(id);
     const auto view =
         ProjectLandmark(landmark, keyframe.frame.world_from_camera, camera, octave_scales);

@@ -147,16 +147,11 @@ int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted, c
 /// Landmarks of the keyframes that share most with the frame, beyond those it has, in id order.
 std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame,
                                               int max_keyframes) {
-  std::set<LandmarkId> landmarks;
-  int num_keyframes = 0;
-  for (const Covisible& covisible : map.FindCovisible(frame)) {
-    if (num_keyframes++ == max_keyframes) break;
-    for (const LandmarkId id : map.keyframe(covisible.keyframe).frame.landmarks) {
-      if (id != kNoId) landmarks.insert(id);
-    }
-  }
-  for (const LandmarkId id : frame.landmarks) landmarks.erase(id);
-  return {landmarks.begin(), landmarks.end()};
+  const std::set<LandmarkId> own(frame.landmarks.begin(), frame.landmarks.end());
+  std::vector<LandmarkId> landmarks =
+      map.FindSeen(FirstKeyframes(map.FindCovisible(frame), max_keyframes));
+  std::erase_if(landmarks, [&own](LandmarkId id) { return own.count(id) > 0; });
+  return landmarks;
 }
 
 /// Where each landmark should appear from the frame's pose; those that should not are left out.
