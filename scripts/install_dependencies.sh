@@ -9,8 +9,9 @@
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
-packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libcli11-dev
-  libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev gnuplot-nox)
+packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libhwy-dev
+  libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev
+  libbenchmark-dev gnuplot-nox)
 development=(clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3-venv)
 evo=evo==1.38.1
 
@@ -23,8 +24,8 @@ Ubuntu 24.04 only. Install these yourself, with their headers and CMake files, a
 `cmake --preset release && cmake --build --preset release`:
   a C++20 compiler (g++ 12 or clang 14, or later), CMake 3.22 or later, Ninja,
   Eigen 3.4, OpenCV 4.6 or later (core imgproc imgcodecs videoio features2d calib3d, and stitching
-  for the tests), Ceres 2.1 or later, TBB, CLI11, yaml-cpp, fmt, spdlog, nlohmann-json, GoogleTest
-  with gmock, and gnuplot for pictures
+  for the tests), Ceres 2.1 or later, TBB, Highway 1.0.3 or later, CLI11, yaml-cpp, fmt, spdlog,
+  nlohmann-json, GoogleTest with gmock, Google Benchmark, and gnuplot for pictures
 TEXT
   exit 1
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "orb/kernels/instruction_sets.h"
+
+namespace corvo::test {
+
+/// Runs `body` once for every instruction set of this machine, with it in use.
+template <typename Body>
+void ForEveryInstructionSet(const Body& body) {
+  for (const std::string& name : orb::kernels::InstructionSets()) {
+    SCOPED_TRACE(name);
+    const orb::kernels::UseInstructionSet use(name);
+    body();
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// Independent bytes, the same with every standard library.
+inline std::vector<std::uint8_t> RandomBytes(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint8_t> bytes(count);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+  return bytes;
+}
+
+}  // namespace corvo::test
