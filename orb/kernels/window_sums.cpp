@@ -1,5 +1,7 @@
 #include "orb/kernels/window_sums.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "orb/kernels/window_sums.cpp"
 #include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
@@ -12,34 +14,26 @@ using scalar::SumWindowRow;
 #else
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Calls `block(x)` for blocks of `step` that cover [begin, end): the last one may overlap the one
-/// before. Returns where the rest begins: `begin` if the range is shorter than a block.
-template <typename Block>
-int CoverWithBlocks(int begin, int end, int step, const Block& block) {
-  if (end - begin < step) return begin;
-  for (int x = begin; x + step <= end; x += step) block(x);
-  block(end - step);
-  return end;
-}
-
 void SumWindowRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, int width,
                   std::uint16_t* HWY_RESTRICT columns, std::uint16_t* HWY_RESTRICT sums) {
   const hn::ScalableTag<std::uint16_t> d16;
   const hn::Rebind<std::uint8_t, decltype(d16)> d8;
   const int step = static_cast<int>(hn::Lanes(d16));
   if (width - 4 < step) return scalar::SumWindowRow(row, stride, width, columns, sums);
-  CoverWithBlocks(0, width, step, [&](int x) {
+  for (int begin = 0; begin < width; begin += step) {
+    const int x = std::min(begin, width - step);
     auto sum = hn::PromoteTo(d16, hn::LoadU(d8, row + x - 2 * stride));
     for (int dy = -1; dy <= 2; ++dy) {
       sum = hn::Add(sum, hn::PromoteTo(d16, hn::LoadU(d8, row + x + dy * stride)));
     }
     hn::StoreU(sum, d16, columns + x);
-  });
-  CoverWithBlocks(2, width - 2, step, [&](int x) {
+  }
+  for (int begin = 2; begin < width - 2; begin += step) {
+    const int x = std::min(begin, width - 2 - step);
     auto sum = hn::LoadU(d16, columns + x - 2);
     for (int dx = -1; dx <= 2; ++dx) sum = hn::Add(sum, hn::LoadU(d16, columns + x + dx));
     hn::StoreU(sum, d16, sums + x);
-  });
+  }
 }
 
 #endif
