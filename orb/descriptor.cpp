@@ -18,19 +18,22 @@ cv::Mat WindowSums(const cv::Mat& image) {
   return sums;
 }
 
-Descriptor Describe(const cv::Mat& sums, int x, int y, const Pattern& pattern) {
-  const std::uint16_t* centre = sums.ptr<std::uint16_t>(y) + x;
-  const auto stride = static_cast<std::ptrdiff_t>(sums.step1());
-  const auto sum_at = [&](const Offset& offset) { return centre[offset.y * stride + offset.x]; };
-  Descriptor descriptor;
-  for (int byte = 0; byte < kNumTests / 8; ++byte) {
-    unsigned bits = 0;
-    for (int bit = 0; bit < 8; ++bit) {
-      const BinaryTest& test = pattern[byte * 8 + bit];
-      bits |= static_cast<unsigned>(sum_at(test.p) < sum_at(test.q)) << bit;
+Describer::Describer(const Pattern& pattern, int bins, bool upright)
+    : patterns_(pattern, bins), upright_(upright), tests_(bins) {
+  for (int bin = 0; bin < bins; ++bin) {
+    for (int i = 0; i < kNumTests; ++i) {
+      const BinaryTest& test = patterns_[bin][i];
+      tests_[bin].p[i] = kernels::PatchIndex(test.p.x, test.p.y);
+      tests_[bin].q[i] = kernels::PatchIndex(test.q.x, test.q.y);
     }
-    descriptor.bytes[byte] = static_cast<std::uint8_t>(bits);
   }
+}
+
+Descriptor Describer::Describe(const cv::Mat& image, int x, int y, float angle_deg) const {
+  const int bin = upright_ ? 0 : patterns_.NearestBin(angle_deg);
+  Descriptor descriptor;
+  kernels::TestPatch(image.ptr(y) + x, static_cast<std::ptrdiff_t>(image.step), tests_[bin],
+                     descriptor.bytes.data());
   return descriptor;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include <opencv2/core/mat.hpp>
 
+#include "orb/kernels/patch.h"
 #include "orb/pattern.h"
 #include "orb/types.h"
 
@@ -15,9 +18,22 @@ inline constexpr int kBorder = 21;
 /// `image` is 8-bit, one channel.
 cv::Mat WindowSums(const cv::Mat& image);
 
-/// Descriptor of the keypoint at (x, y), at least kBorder px from the edges of `sums`: bit i is 1
-/// iff the sum at p of test i is less than the sum at q. Sums are exact and only compared, so a
-/// gain and an offset of the image that saturate nothing leave every bit as it is.
-Descriptor Describe(const cv::Mat& sums, int x, int y, const Pattern& pattern);
+/// Describes keypoints by one pattern, rotated to their direction.
+class Describer {
+ public:
+  /// `bins` directions, 1 to 256; `upright`: the pattern is not rotated.
+  Describer(const Pattern& pattern, int bins, bool upright);
+
+  /// Descriptor of the keypoint at (x, y), at least kBorder px from the edges of `image` (8-bit,
+  /// one channel), in the direction nearest to `angle_deg`, which is in [0, 360): bit i is 1 iff
+  /// the sum over the 5x5 window at p of test i is less than that at q. Sums are exact and only
+  /// compared, so a gain and an offset of the image that saturate nothing leave every bit as it is.
+  Descriptor Describe(const cv::Mat& image, int x, int y, float angle_deg) const;
+
+ private:
+  RotatedPatterns patterns_;
+  bool upright_;
+  std::vector<kernels::PatchTests> tests_;  ///< Of each direction.
+};
 
 }  // namespace corvo::orb

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
+#include "orb/descriptor.h"
 #include "orb/options.h"
-#include "orb/pattern.h"
 #include "orb/types.h"
 
 namespace corvo::orb {
@@ -17,9 +18,12 @@ struct DescribedKeypoints {
   std::vector<int> indices;  ///< features.keypoints[i] was given as keypoint indices[i].
 };
 
+class BufferPool;
+
 /// ORB features of grey images: oriented FAST keypoints spread over a grid and rotated BRIEF
 /// descriptors (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011).
-/// The same image and options give the same bits, whatever the number of threads.
+/// The same image and options give the same bits, whatever the number of threads. Several threads
+/// may use one extractor at once; it keeps the buffers of as many.
 class Extractor {
  public:
   /// `threads` (1 to 256) levels are worked on at once. Throws corvo::Error on options out of
@@ -31,6 +35,10 @@ class Extractor {
   /// corners exist, sorted by octave, then row, then column of the level. Images too small for a
   /// level have no keypoints there. Throws corvo::Error on a wrong type or size.
   Features Extract(const cv::Mat& image, const cv::Mat& mask = cv::Mat()) const;
+
+  /// As above, into vectors whose memory is used again: with one thread, and images of one size,
+  /// nothing is allocated after the first.
+  void Extract(const cv::Mat& image, const cv::Mat& mask, Features& features) const;
 
   /// Describes given keypoints, each at the nearest pixel of its octave's level. An angle outside
   /// [0, 360), as detectors without orientation give, is measured. Left out is what cannot be
@@ -47,7 +55,8 @@ class Extractor {
   ExtractorOptions options_;
   int threads_;
   std::vector<double> octave_scales_;
-  RotatedPatterns patterns_;
+  Describer describer_;
+  std::shared_ptr<BufferPool> buffers_;
 };
 
 }  // namespace corvo::orb

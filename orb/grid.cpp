@@ -2,58 +2,28 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace corvo::orb {
 namespace {
 
-/// Orders indices of corners: strongest first, ties by index.
+/// Orders indices of corners: highest score first, ties by index.
 class StrongerThan {
  public:
-  explicit StrongerThan(std::span<const RankedCorner> corners) : corners_(corners) {}
+  explicit StrongerThan(std::span<const Corner> corners) : corners_(corners) {}
 
   bool operator()(int a, int b) const {
-    const RankedCorner& first = corners_[a];
-    const RankedCorner& second = corners_[b];
-    if (first.strong != second.strong) return first.strong;
-    if (first.strength != second.strength) return first.strength > second.strength;
+    if (corners_[a].score != corners_[b].score) return corners_[a].score > corners_[b].score;
     return a < b;
   }
 
  private:
-  std::span<const RankedCorner> corners_;
+  std::span<const Corner> corners_;
 };
 
-using Cells = std::vector<std::vector<int>>;
-
-/// The corners of each cell, strongest first.
-Cells SortIntoCells(std::span<const RankedCorner> corners, const cv::Rect& area, int cell_size) {
-  const int columns = std::max(1, (area.width + cell_size / 2) / cell_size);
-  const int rows = std::max(1, (area.height + cell_size / 2) / cell_size);
-  Cells cells(static_cast<std::size_t>(columns) * rows);
-  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-    const std::int64_t column = std::int64_t{corners[i].x - area.x} * columns / area.width;
-    const std::int64_t row = std::int64_t{corners[i].y - area.y} * rows / area.height;
-    cells[row * columns + column].push_back(i);
-  }
-  for (auto& cell : cells) std::sort(cell.begin(), cell.end(), StrongerThan(corners));
-  return cells;
-}
-
-/// The largest k for which the k strongest of every cell are at most `quota` together; stops at
-/// the fullest cell's count.
-int FullRounds(const Cells& cells, int quota) {
-  std::size_t fullest = 0;
-  for (const auto& cell : cells) fullest = std::max(fullest, cell.size());
-  std::vector<int> cells_with_more(fullest + 1, 0);  // cells that hold more than k corners
-  for (const auto& cell : cells) {
-    for (std::size_t k = 0; k < cell.size(); ++k) ++cells_with_more[k];
-  }
-  int rounds = 0;
-  int taken = 0;
-  while (rounds < static_cast<int>(fullest) && taken + cells_with_more[rounds] <= quota) {
-    taken += cells_with_more[rounds++];
-  }
-  return rounds;
+/// Number of cells of about `cell_size` that a length is divided into.
+int NumCells(int length, int cell_size) {
+  return std::max(1, (length + cell_size / 2) / cell_size);
 }
 
 }  // namespace
@@ -85,32 +55,106 @@ std::vector<int> Apportion(int total, std::span<const std::int64_t> weights,
   return shares;
 }
 
-std::vector<int> SelectInGrid(std::span<const RankedCorner> corners, const cv::Rect& area,
-                              int cell_size, int quota) {
-  if (quota <= 0 || corners.empty()) return {};
-  const Cells cells = SortIntoCells(corners, area, cell_size);
-  const auto rounds = static_cast<std::size_t>(FullRounds(cells, quota));
-  std::vector<int> chosen;
-  std::vector<int> next;
-  for (const auto& cell : cells) {
-    const std::size_t count = std::min(rounds, cell.size());
-    chosen.insert(chosen.end(), cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(count));
-    if (cell.size() > rounds) next.push_back(cell[rounds]);
+void GridSelector::SortIntoCells(std::span<const Corner> corners, const cv::Rect& area,
+                                 int cell_size) {
+  const int columns = NumCells(area.width, cell_size);
+  const int rows = NumCells(area.height, cell_size);
+  column_of_x_.resize(area.width);
+  for (int i = 0; i < area.width; ++i) {
+    column_of_x_[i] = static_cast<int>(std::int64_t{i} * columns / area.width);
   }
-  std::sort(next.begin(), next.end(), StrongerThan(corners));
-  next.resize(std::min(next.size(), static_cast<std::size_t>(quota) - chosen.size()));
-  chosen.insert(chosen.end(), next.begin(), next.end());
-  std::sort(chosen.begin(), chosen.end());
+  cell_ends_.assign(static_cast<std::size_t>(columns) * rows, 0);
+  cell_of_.resize(corners.size());
+  int y = -1;
+  int row_start = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i].y != y) {
+      y = corners[i].y;
+      row_start = static_cast<int>(std::int64_t{y - area.y} * rows / area.height) * columns;
+    }
+    cell_of_[i] = row_start + column_of_x_[corners[i].x - area.x];
+    ++cell_ends_[cell_of_[i]];
+  }
+  std::exclusive_scan(cell_ends_.begin(), cell_ends_.end(), cell_ends_.begin(), 0);
+  members_.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    members_[cell_ends_[cell_of_[i]]++] = static_cast<int>(i);
+  }
+}
+
+int GridSelector::FullRounds(int quota) {
+  cells_with_more_.assign(1, 0);
+  int begin = 0;
+  for (const int end : cell_ends_) {  // Counted at the cell's size, then summed from the top.
+    const std::size_t size = end - std::exchange(begin, end);
+    if (size == 0) continue;
+    if (cells_with_more_.size() < size) cells_with_more_.resize(size, 0);
+    ++cells_with_more_[size - 1];
+  }
+  std::partial_sum(cells_with_more_.rbegin(), cells_with_more_.rend(), cells_with_more_.rbegin());
+  int rounds = 0;
+  int taken = 0;
+  for (const int cells : cells_with_more_) {
+    if (taken + cells > quota) break;
+    taken += cells;
+    ++rounds;
+  }
+  return rounds;
+}
+
+int GridSelector::MarkRounds(std::span<const Corner> corners, int rounds) {
+  int marked = 0;
+  next_.clear();
+  auto begin = members_.begin();
+  for (const int cell_end : cell_ends_) {
+    const auto end = members_.begin() + cell_end;
+    const auto count = std::min<std::ptrdiff_t>(rounds, end - begin);
+    const bool has_next = count < end - begin;
+    if (has_next) {
+      std::partial_sort(begin, begin + count + 1, end, StrongerThan(corners));
+      next_.push_back(begin[count]);
+    }
+    for (auto member = begin; member != begin + count; ++member) is_chosen_[*member] = 1;
+    marked += static_cast<int>(count);
+    begin = end;
+  }
+  return marked;
+}
+
+void GridSelector::MarkNext(std::span<const Corner> corners, int count) {
+  const auto end = next_.begin() + std::min<std::ptrdiff_t>(count, std::ssize(next_));
+  std::nth_element(next_.begin(), end, next_.end(), StrongerThan(corners));
+  std::for_each(next_.begin(), end, [&](int i) { is_chosen_[i] = 1; });
+}
+
+void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
+                          int quota, std::vector<int>& chosen) {
+  chosen.clear();
+  if (quota <= 0 || corners.empty()) return;
+  is_chosen_.assign(corners.size(), 0);
+  SortIntoCells(corners, area, cell_size);
+  const int marked = MarkRounds(corners, FullRounds(quota));
+  MarkNext(corners, quota - marked);
+  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+    if (is_chosen_[i] != 0) chosen.push_back(i);
+  }
+}
+
+std::vector<int> SelectInGrid(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
+                              int quota) {
+  std::vector<int> chosen;
+  GridSelector().Select(corners, area, cell_size, quota, chosen);
   return chosen;
 }
 
-std::vector<int> SelectStrongest(std::span<const RankedCorner> corners, int quota) {
-  std::vector<int> chosen(corners.size());
+void SelectStrongest(std::span<const Corner> corners, int quota, std::vector<int>& chosen) {
+  chosen.resize(corners.size());
   std::iota(chosen.begin(), chosen.end(), 0);
-  std::sort(chosen.begin(), chosen.end(), StrongerThan(corners));
-  chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(std::max(quota, 0))));
+  const auto count = std::min(chosen.size(), static_cast<std::size_t>(std::max(quota, 0)));
+  const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(count);
+  std::nth_element(chosen.begin(), end, chosen.end(), StrongerThan(corners));
+  chosen.resize(count);
   std::sort(chosen.begin(), chosen.end());
-  return chosen;
 }
 
 }  // namespace corvo::orb

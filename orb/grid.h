@@ -6,15 +6,9 @@
 
 #include <opencv2/core/types.hpp>
 
-namespace corvo::orb {
+#include "orb/fast.h"
 
-/// A corner of one level as the selection sees it.
-struct RankedCorner {
-  int x = 0;
-  int y = 0;
-  bool strong = false;        ///< Passes the higher threshold: goes before all that do not.
-  std::int64_t strength = 0;  ///< FAST score or Harris response.
-};
+namespace corvo::orb {
 
 /// Shares `total` out in proportion to `weights`, no share above its capacity. What one cannot take
 /// goes to the others in proportion; the shares sum to min(total, sum of capacities). Rounding is
@@ -22,14 +16,44 @@ struct RankedCorner {
 std::vector<int> Apportion(int total, std::span<const std::int64_t> weights,
                            std::span<const int> capacities);
 
-/// Picks min(quota, corners.size()) corners spread over equal cells of about `cell_size` px that
-/// tile `area`; returns ascending indices. `corners` are in row-major order and lie in `area`.
-/// Every cell gives its k strongest (or all it has) for the largest k that fits the quota; what
-/// remains goes to the strongest of those next in their cells. Ties go to the lower index.
-std::vector<int> SelectInGrid(std::span<const RankedCorner> corners, const cv::Rect& area,
-                              int cell_size, int quota);
+/// Picks corners of one level after another; keeps its buffers.
+class GridSelector {
+ public:
+  /// Sets `chosen` to the ascending indices of min(quota, corners.size()) corners, spread over
+  /// equal cells of about `cell_size` px that tile `area`. `corners` are in row-major order and lie
+  /// in `area`. Every cell gives its k of highest score (or all it has) for the largest k that fits
+  /// the quota; what remains goes to the highest of those next in their cells. Ties go to the lower
+  /// index.
+  void Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size, int quota,
+              std::vector<int>& chosen);
 
-/// Picks the min(quota, corners.size()) strongest; returns ascending indices.
-std::vector<int> SelectStrongest(std::span<const RankedCorner> corners, int quota);
+ private:
+  /// Groups the corners' indices by cell.
+  void SortIntoCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size);
+  /// The largest k for which the k best of every cell are at most `quota` together.
+  int FullRounds(int quota);
+  /// Marks the `rounds` best of every cell, and collects those that come next. Returns how many
+  /// were marked.
+  int MarkRounds(std::span<const Corner> corners, int rounds);
+  /// Marks the best `count` of those collected.
+  void MarkNext(std::span<const Corner> corners, int count);
+
+  std::vector<int> column_of_x_;  ///< Cell column of area.x + i.
+  std::vector<int> cell_of_;      ///< By corner.
+  std::vector<int> cell_ends_;
+  std::vector<int>
+      members_;  ///< Corners by cell: cell c's end at cell_ends_[c], where c + 1's begin.
+  std::vector<int> cells_with_more_;
+  std::vector<int> next_;
+  std::vector<std::uint8_t> is_chosen_;
+};
+
+/// As GridSelector.
+std::vector<int> SelectInGrid(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
+                              int quota);
+
+/// Sets `chosen` to the ascending indices of the min(quota, corners.size()) corners of highest
+/// score; ties go to the lower index.
+void SelectStrongest(std::span<const Corner> corners, int quota, std::vector<int>& chosen);
 
 }  // namespace corvo::orb

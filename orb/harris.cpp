@@ -1,6 +1,8 @@
 #include "orb/harris.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace corvo::orb {
 
@@ -25,6 +27,21 @@ std::int64_t HarrisResponse(const cv::Mat& image, int x, int y) {
     }
   }
   return 25 * (xx * yy - xy * xy) - (xx + yy) * (xx + yy);
+}
+
+void RankByHarris(const cv::Mat& image, int threshold, std::vector<Corner>& corners) {
+  using Rank = std::pair<bool, std::int64_t>;
+  std::vector<Rank> ranks;
+  ranks.reserve(corners.size());
+  for (const Corner& corner : corners) {
+    ranks.emplace_back(corner.score >= threshold, HarrisResponse(image, corner.x, corner.y));
+  }
+  std::vector<Rank> order = ranks;
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto place = std::lower_bound(order.begin(), order.end(), ranks[i]);
+    corners[i].score = static_cast<int>(place - order.begin());
+  }
 }
 
 }  // namespace corvo::orb

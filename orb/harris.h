@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
+
+#include "orb/fast.h"
 
 namespace corvo::orb {
 
@@ -13,5 +16,10 @@ namespace corvo::orb {
 /// where g is the 3x3 Sobel gradient ("A combined corner and edge detector", 1988). `image` is
 /// 8-bit, one channel; (x, y) is at least 4 px from its edges.
 std::int64_t HarrisResponse(const cv::Mat& image, int x, int y);
+
+/// Replaces the scores of a level's corners by places in this order, the last the highest: first
+/// those whose score is less than `threshold`, then the others; among either by HarrisResponse().
+/// Equals have equal places.
+void RankByHarris(const cv::Mat& image, int threshold, std::vector<Corner>& corners);
 
 }  // namespace corvo::orb

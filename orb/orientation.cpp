@@ -1,21 +1,12 @@
 #include "orb/orientation.h"
 
-#include <array>
+#include <cstddef>
 #include <numbers>
+
+#include "orb/kernels/moments.h"
 
 namespace corvo::orb {
 namespace {
-
-/// Half widths of the disc's rows, from the middle row outwards.
-constexpr std::array<int, kMomentRadius + 1> kHalfWidths = [] {
-  std::array<int, kMomentRadius + 1> widths{};
-  for (int dy = 0; dy <= kMomentRadius; ++dy) {
-    while ((widths[dy] + 1) * (widths[dy] + 1) + dy * dy <= kMomentRadius * kMomentRadius) {
-      ++widths[dy];
-    }
-  }
-  return widths;
-}();
 
 /// Arctangent in degrees of a slope in [0, 1]: the series of atan, moved by 45 degrees where it
 /// would converge slowly.
@@ -35,23 +26,6 @@ double QuadrantDeg(double x, double y) { return y <= x ? SlopeDeg(y / x) : 90.0 
 
 }  // namespace
 
-Moments MomentsAt(const cv::Mat& image, int x, int y) {
-  Moments moments;
-  for (int dy = -kMomentRadius; dy <= kMomentRadius; ++dy) {
-    const std::uint8_t* row = image.ptr<std::uint8_t>(y + dy) + x;
-    const int half_width = kHalfWidths[dy < 0 ? -dy : dy];
-    int sum = 0;
-    int weighted = 0;
-    for (int dx = -half_width; dx <= half_width; ++dx) {
-      sum += row[dx];
-      weighted += dx * row[dx];
-    }
-    moments.x += weighted;
-    moments.y += std::int64_t{dy} * sum;
-  }
-  return moments;
-}
-
 float DirectionDeg(double x, double y) {
   if (x == 0.0 && y == 0.0) return 0.0F;
   double degrees = 0.0;
@@ -65,8 +39,9 @@ float DirectionDeg(double x, double y) {
 }
 
 float OrientationDeg(const cv::Mat& image, int x, int y) {
-  const Moments moments = MomentsAt(image, x, y);
-  return DirectionDeg(static_cast<double>(moments.x), static_cast<double>(moments.y));
+  const kernels::DiscMoments moments =
+      kernels::SumDiscMoments(image.ptr(y) + x, static_cast<std::ptrdiff_t>(image.step));
+  return DirectionDeg(moments.x, moments.y);
 }
 
 }  // namespace corvo::orb

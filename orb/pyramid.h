@@ -1,8 +1,11 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
+
+#include "orb/resizer.h"
 
 namespace corvo::orb {
 
@@ -29,13 +32,38 @@ struct PyramidLevel {
 /// factor^level for `num_levels` levels.
 std::vector<double> OctaveScales(int num_levels, double factor);
 
-/// Bilinear interpolation of an 8-bit image at the pixel centres of `size`, with weights of 1/128
-/// px and one exact rounding at the end. It commutes with mirroring and with rotation by 90
-/// degrees, bit for bit. Meant for shrinking by up to 2: beyond that it skips pixels.
-cv::Mat Resize(const cv::Mat& image, cv::Size size);
+class Workers;
 
-/// The levels of `image` (8-bit, one channel; level 0 shares its pixels). Level sizes are the
-/// input's over `scales`, rounded, at least 1 px; each level is resized from the one before.
+/// The pyramids of one image after another; keeps its buffers.
+class Pyramid {
+ public:
+  /// Level sizes are the input's over `scales`, rounded, at least 1 px.
+  explicit Pyramid(std::vector<double> scales) : scales_(std::move(scales)) {}
+
+  /// Sets levels() to those of `image` (8-bit, one channel; level 0 shares its pixels). Each level
+  /// is resized from the one before.
+  void Build(const cv::Mat& image, Workers& workers);
+
+  /// Valid until the next Build().
+  const std::vector<PyramidLevel>& levels() const { return levels_; }
+
+  /// Lets go of the input's pixels, which level 0 shares.
+  void ReleaseInput() { levels_.front().image.release(); }
+
+ private:
+  /// Lays out the levels of an input of this size.
+  void LayOut(cv::Size size);
+  /// Resizes level `i` to the next.
+  void ResizeLevel(int i, Workers& workers);
+
+  std::vector<double> scales_;
+  cv::Size input_size_;
+  std::vector<PyramidLevel> levels_;
+  std::vector<Resizer> resizers_;  ///< Of level i + 1.
+  std::vector<Resizer::RowCache> row_caches_;
+};
+
+/// The levels of one image, as Pyramid makes them.
 std::vector<PyramidLevel> BuildPyramid(const cv::Mat& image, const std::vector<double>& scales);
 
 }  // namespace corvo::orb

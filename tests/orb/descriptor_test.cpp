@@ -38,12 +38,17 @@ TEST(WindowSumsTest, WhiteIsNotSaturatedAndTinyImagesAreZero) {
   EXPECT_EQ(cv::countNonZero(WindowSums(white(cv::Rect(0, 0, 4, 4)))), 0);
 }
 
-TEST(DescribeTest, BitIsOneWhereTheWindowAtPIsDarker) {
+/// Of the centre of a picture of 43 x 43, in direction `bin` of `bins`.
+Descriptor DescribeCentre(const cv::Mat& image, int bin, int bins) {
+  const Describer describer(MakeBriefPattern(), bins, false);
+  return describer.Describe(image, 21, 21, 360.0F * static_cast<float>(bin) / bins);
+}
+
+TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
   const cv::Mat image = test::NoiseImage({43, 43}, 2);
   const RotatedPatterns patterns(MakeBriefPattern(), 30);
-  const cv::Mat sums = WindowSums(image);
   for (int bin = 0; bin < 30; ++bin) {
-    const Descriptor descriptor = Describe(sums, 21, 21, patterns[bin]);
+    const Descriptor descriptor = DescribeCentre(image, bin, 30);
     for (int i = 0; i < kNumTests; ++i) {
       const auto& [p, q] = patterns[bin][i];
       const bool darker = NaiveSum(image, 21 + p.x, 21 + p.y) < NaiveSum(image, 21 + q.x, 21 + q.y);
@@ -52,26 +57,29 @@ TEST(DescribeTest, BitIsOneWhereTheWindowAtPIsDarker) {
   }
 }
 
-TEST(DescribeTest, EqualSumsGiveZero) {
-  const cv::Mat sums = WindowSums(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)));
-  EXPECT_EQ(Describe(sums, 21, 21, MakeBriefPattern()), Descriptor{});
+TEST(DescriberTest, UprightHasOneDirection) {
+  const cv::Mat image = test::NoiseImage({43, 43}, 5);
+  const Describer upright(MakeBriefPattern(), 30, true);
+  EXPECT_EQ(upright.Describe(image, 21, 21, 0), DescribeCentre(image, 0, 30));
+  EXPECT_EQ(upright.Describe(image, 21, 21, 200), DescribeCentre(image, 0, 30));
 }
 
-TEST(DescribeTest, GainAndOffsetChangeNothing) {
+TEST(DescriberTest, EqualSumsGiveZero) {
+  EXPECT_EQ(DescribeCentre(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)), 0, 30), Descriptor{});
+}
+
+TEST(DescriberTest, GainAndOffsetChangeNothing) {
   const cv::Mat image = test::NoiseImage({43, 43}, 3) / 4;  // 0 to 64
   const cv::Mat brighter = 3 * image + cv::Scalar(60);      // to 252, nothing saturates
-  EXPECT_EQ(Describe(WindowSums(brighter), 21, 21, MakeBriefPattern()),
-            Describe(WindowSums(image), 21, 21, MakeBriefPattern()));
+  EXPECT_EQ(DescribeCentre(brighter, 1, 30), DescribeCentre(image, 1, 30));
 }
 
-TEST(DescribeTest, TurnsWithTheImage) {
-  const RotatedPatterns patterns(MakeBriefPattern(), 36);
+TEST(DescriberTest, TurnsWithTheImage) {
   const cv::Mat image = test::NoiseImage({43, 43}, 4);
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);
   for (int bin = 0; bin < 27; ++bin) {
-    EXPECT_EQ(Describe(WindowSums(turned), 21, 21, patterns[bin + 9]),
-              Describe(WindowSums(image), 21, 21, patterns[bin]));
+    EXPECT_EQ(DescribeCentre(turned, bin + 9, 36), DescribeCentre(image, bin, 36));
   }
 }
 

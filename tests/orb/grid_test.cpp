@@ -65,37 +65,41 @@ TEST(ApportionTest, SumIsExactAndNoCapacityExceeded) {
   }
 }
 
-/// Distinct random corners in row-major order, of few different strengths.
-std::vector<RankedCorner> RandomCorners(const cv::Rect& area, int attempts, std::uint64_t seed) {
+/// Distinct random corners in row-major order, of few different scores.
+std::vector<Corner> RandomCorners(const cv::Rect& area, int attempts, std::uint64_t seed) {
   test::Random random(seed);
-  std::map<std::pair<int, int>, RankedCorner> corners;
+  std::map<std::pair<int, int>, Corner> corners;
   for (int i = 0; i < attempts; ++i) {
     const int x = random.UniformInt(area.x, area.br().x - 1);
     // Denser towards the bottom.
     const int y = area.br().y - 1 - random.UniformInt(0, random.UniformInt(0, area.height - 1));
-    const int strength = random.UniformInt(-5, 30);
-    corners[{y, x}] = {x, y, strength > 10, strength};
+    const int score = random.UniformInt(0, 35);
+    corners[{y, x}] = {x, y, score};
   }
-  std::vector<RankedCorner> ordered;
+  std::vector<Corner> ordered;
   for (const auto& [position, corner] : corners) ordered.push_back(corner);
   return ordered;
 }
 
-TEST(SelectStrongestTest, TakesStrongCornersFirstThenByStrengthThenByIndex) {
-  const std::vector<RankedCorner> corners = {
-      {0, 0, false, 90}, {1, 0, true, 20}, {2, 0, true, 30}, {3, 0, true, 20}, {4, 0, false, 95}};
-  EXPECT_THAT(SelectStrongest(corners, 1), ElementsAre(2));
-  EXPECT_THAT(SelectStrongest(corners, 2), ElementsAre(1, 2));
-  EXPECT_THAT(SelectStrongest(corners, 3), ElementsAre(1, 2, 3));
-  EXPECT_THAT(SelectStrongest(corners, 4), ElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(SelectStrongest(corners, 9), ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_THAT(SelectStrongest(corners, 0), IsEmpty());
+std::vector<int> Strongest(const std::vector<Corner>& corners, int quota) {
+  std::vector<int> chosen = {7};
+  SelectStrongest(corners, quota, chosen);
+  return chosen;
+}
+
+TEST(SelectStrongestTest, TakesTheHighestScoresThenTheLowestIndices) {
+  const std::vector<Corner> corners = {{0, 0, 9}, {1, 0, 20}, {2, 0, 30}, {3, 0, 20}, {4, 0, 10}};
+  EXPECT_THAT(Strongest(corners, 1), ElementsAre(2));
+  EXPECT_THAT(Strongest(corners, 2), ElementsAre(1, 2));
+  EXPECT_THAT(Strongest(corners, 3), ElementsAre(1, 2, 3));
+  EXPECT_THAT(Strongest(corners, 4), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(Strongest(corners, 9), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(Strongest(corners, 0), IsEmpty());
 }
 
 TEST(SelectInGridTest, EveryCellGivesItsStrongestFirst) {
-  // Two cells of 10 x 10; the left one has all the strong corners.
-  const std::vector<RankedCorner> corners = {
-      {1, 1, true, 50}, {5, 1, true, 60}, {15, 1, false, 8}, {4, 4, true, 70}, {16, 4, false, 9}};
+  // Two cells of 10 x 10; the left one has the highest scores.
+  const std::vector<Corner> corners = {{1, 1, 50}, {5, 1, 60}, {15, 1, 8}, {4, 4, 70}, {16, 4, 9}};
   const cv::Rect area(0, 0, 20, 10);
   EXPECT_THAT(SelectInGrid(corners, area, 10, 1), ElementsAre(3));
   EXPECT_THAT(SelectInGrid(corners, area, 10, 2), ElementsAre(3, 4));
@@ -106,8 +110,7 @@ TEST(SelectInGridTest, EveryCellGivesItsStrongestFirst) {
 }
 
 TEST(SelectInGridTest, TiesGoToTheLowerIndex) {
-  const std::vector<RankedCorner> corners = {
-      {1, 1, true, 5}, {2, 1, true, 5}, {11, 1, true, 5}, {12, 1, true, 5}};
+  const std::vector<Corner> corners = {{1, 1, 5}, {2, 1, 5}, {11, 1, 5}, {12, 1, 5}};
   const cv::Rect area(0, 0, 20, 10);
   EXPECT_THAT(SelectInGrid(corners, area, 10, 1), ElementsAre(0));
   EXPECT_THAT(SelectInGrid(corners, area, 10, 2), ElementsAre(0, 2));
@@ -118,7 +121,7 @@ TEST(SelectInGridTest, OneCellIsTheStrongestOfAll) {
   const cv::Rect area(21, 21, 200, 150);
   const auto corners = RandomCorners(area, 500, 2);
   for (const int quota : {1, 17, 200}) {
-    EXPECT_EQ(SelectInGrid(corners, area, 1000, quota), SelectStrongest(corners, quota));
+    EXPECT_EQ(SelectInGrid(corners, area, 1000, quota), Strongest(corners, quota));
   }
 }
 

@@ -1,0 +1,97 @@
+#include "orb/kernels/moments.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "orb/kernels/moments.cpp"
+#include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
+#include <hwy/highway.h>
+
+#ifndef CORVO_ORB_KERNELS_MOMENT_WEIGHTS
+#define CORVO_ORB_KERNELS_MOMENT_WEIGHTS
+namespace corvo::orb::kernels {
+
+constexpr int kRows = 2 * kMomentRadius + 1;
+constexpr int kRowLength = 2 * kMomentRadius + 2;  // columns [-16, 15]
+
+/// dx and dy of the pixels of the disc; 0 outside.
+struct MomentWeights {
+  alignas(64) std::int16_t x[kRows][kRowLength];
+  alignas(64) std::int16_t y[kRows][kRowLength];
+};
+
+inline constexpr MomentWeights kMomentWeights = [] {
+  MomentWeights weights{};
+  for (int dy = -kMomentRadius; dy <= kMomentRadius; ++dy) {
+    const int half_width = kDiscHalfWidths[dy < 0 ? -dy : dy];
+    for (int dx = -half_width; dx <= half_width; ++dx) {
+      weights.x[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<std::int16_t>(dx);
+      weights.y[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<std::int16_t>(dy);
+    }
+  }
+  return weights;
+}();
+
+}  // namespace corvo::orb::kernels
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace corvo::orb::kernels::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+using scalar::SumDiscMoments;
+#else
+namespace hn = hwy::HWY_NAMESPACE;
+
+DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
+  const hn::CappedTag<std::int16_t, kRowLength> d16;
+  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
+  const hn::RepartitionToWide<decltype(d16)> d32;
+  auto x = hn::Zero(d32);
+  auto y = hn::Zero(d32);
+  auto x_rest = hn::Zero(d32);  // Highway may divide a sum in two.
+  auto y_rest = hn::Zero(d32);
+  for (int row = 0; row < kRows; ++row) {
+    const std::uint8_t* pixels = centre + (row - kMomentRadius) * stride - kMomentRadius - 1;
+    for (int i = 0; i < kRowLength; i += static_cast<int>(hn::Lanes(d16))) {
+      const auto grey = hn::PromoteTo(d16, hn::LoadU(d8, pixels + i));
+      const auto weight_x = hn::Load(d16, kMomentWeights.x[row] + i);
+      const auto weight_y = hn::Load(d16, kMomentWeights.y[row] + i);
+      x = hn::ReorderWidenMulAccumulate(d32, grey, weight_x, x, x_rest);
+      y = hn::ReorderWidenMulAccumulate(d32, grey, weight_y, y, y_rest);
+    }
+  }
+  return {hn::GetLane(hn::SumOfLanes(d32, hn::Add(x, x_rest))),
+          hn::GetLane(hn::SumOfLanes(d32, hn::Add(y, y_rest)))};
+}
+
+#endif
+}  // namespace corvo::orb::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace corvo::orb::kernels {
+
+HWY_EXPORT(SumDiscMoments);
+
+DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
+  return HWY_DYNAMIC_DISPATCH(SumDiscMoments)(centre, stride);
+}
+
+namespace scalar {
+
+DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
+  DiscMoments moments;
+  for (int dy = -kMomentRadius; dy <= kMomentRadius; ++dy) {
+    const std::uint8_t* row = centre + dy * stride;
+    const int half_width = kDiscHalfWidths[dy < 0 ? -dy : dy];
+    int sum = 0;
+    for (int dx = -half_width; dx <= half_width; ++dx) {
+      sum += row[dx];
+      moments.x += dx * row[dx];
+    }
+    moments.y += dy * sum;
+  }
+  return moments;
+}
+
+}  // namespace scalar
+}  // namespace corvo::orb::kernels
+#endif

@@ -1,0 +1,108 @@
+#include "orb/kernels/resize.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "orb/kernels/resize.cpp"
+#include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace corvo::orb::kernels::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+using scalar::BlendRows;
+using scalar::InterpolateRow;
+#else
+namespace hn = hwy::HWY_NAMESPACE;
+
+void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroup* HWY_RESTRICT groups,
+                    int num_groups, std::int16_t* HWY_RESTRICT targets) {
+  const hn::FixedTag<std::uint8_t, kTapReach> d8;
+  const hn::FixedTag<std::int16_t, kTapsPerGroup> d16;
+  for (int g = 0; g < num_groups; ++g) {
+    const TapGroup& group = groups[g];
+    const auto pixels = hn::LoadU(d8, source + group.base);
+    const auto first = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, hn::Load(d8, group.first)));
+    const auto second =
+        hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, hn::Load(d8, group.second)));
+    const auto step = hn::Mul(hn::Sub(second, first), hn::Load(d16, group.weight));
+    hn::StoreU(hn::Add(hn::ShiftLeft<kWeightBits>(first), step), d16, targets + group.target);
+  }
+}
+
+/// (weight * d) >> 7, rounded down.
+template <typename Lanes>
+HWY_INLINE Lanes Scale(Lanes difference, Lanes weight) {
+  const hn::DFromV<Lanes> d;
+  const Lanes high = hn::MulHigh(difference, hn::ShiftLeft<8>(weight));  // (weight * d) >> 8
+  const Lanes last =
+      hn::And(hn::ShiftRight<kWeightBits>(hn::Mul(difference, weight)), hn::Set(d, 1));
+  return hn::Add(hn::Add(high, high), last);
+}
+
+void BlendRows(const std::int16_t* HWY_RESTRICT a, const std::int16_t* HWY_RESTRICT b, int weight,
+               int width, std::uint8_t* HWY_RESTRICT blended) {
+  const hn::ScalableTag<std::int16_t> d16;
+  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
+  const int step = static_cast<int>(hn::Lanes(d16));
+  if (width < step) return scalar::BlendRows(a, b, weight, width, blended);
+  const auto weights = hn::Set(d16, static_cast<std::int16_t>(weight));
+  const auto half = hn::Set(d16, 1 << (kWeightBits - 1));
+  for (int begin = 0; begin < width; begin += step) {
+    const int x = std::min(begin, width - step);
+    const auto upper = hn::LoadU(d16, a + x);
+    const auto change = Scale(hn::Sub(hn::LoadU(d16, b + x), upper), weights);
+    const auto rounded = hn::ShiftRight<kWeightBits>(hn::Add(hn::Add(upper, half), change));
+    hn::StoreU(hn::DemoteTo(d8, rounded), d8, blended + x);
+  }
+}
+
+#endif
+}  // namespace corvo::orb::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace corvo::orb::kernels {
+
+HWY_EXPORT(BlendRows);
+HWY_EXPORT(InterpolateRow);
+
+void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
+                    std::int16_t* targets) {
+  HWY_DYNAMIC_DISPATCH(InterpolateRow)(source, groups, num_groups, targets);
+}
+
+void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int width,
+               std::uint8_t* blended) {
+  HWY_DYNAMIC_DISPATCH(BlendRows)(a, b, weight, width, blended);
+}
+
+namespace scalar {
+
+constexpr int kUnit = 1 << kWeightBits;
+
+void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
+                    std::int16_t* targets) {
+  for (const TapGroup* group = groups; group != groups + num_groups; ++group) {
+    for (int i = 0; i < kTapsPerGroup; ++i) {
+      const int first = source[group->base + group->first[2 * i]];
+      const int second = source[group->base + group->second[2 * i]];
+      const int weight = group->weight[i];
+      targets[group->target + i] =
+          static_cast<std::int16_t>((kUnit - weight) * first + weight * second);
+    }
+  }
+}
+
+void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int width,
+               std::uint8_t* blended) {
+  constexpr int kHalf = kUnit * kUnit / 2;
+  for (int x = 0; x < width; ++x) {
+    const int sum = (kUnit - weight) * a[x] + weight * b[x];
+    blended[x] = static_cast<std::uint8_t>((sum + kHalf) >> (2 * kWeightBits));
+  }
+}
+
+}  // namespace scalar
+}  // namespace corvo::orb::kernels
+#endif

@@ -1,0 +1,65 @@
+#include "orb/level_extractor.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "orb/harris.h"
+#include "orb/orientation.h"
+#include "orb/rounding.h"
+
+namespace corvo::orb {
+namespace {
+
+/// Whether the mask keeps a pixel of a level: it is looked up at the nearest input pixel.
+bool IsKept(const cv::Mat& mask, const PyramidLevel& level, const Corner& corner) {
+  const int column = std::min(RoundHalfUp(level.InputX(corner.x)), mask.cols - 1);
+  const int row = std::min(RoundHalfUp(level.InputY(corner.y)), mask.rows - 1);
+  return mask.at<std::uint8_t>(row, column) != 0;
+}
+
+Keypoint MakeKeypoint(const PyramidLevel& level, int octave, const Corner& corner,
+                      Ranking ranking) {
+  const float response = ranking == Ranking::kHarris
+                             ? static_cast<float>(HarrisResponse(level.image, corner.x, corner.y))
+                             : static_cast<float>(corner.score);
+  return {static_cast<float>(level.InputX(corner.x)), static_cast<float>(level.InputY(corner.y)),
+          OrientationDeg(level.image, corner.x, corner.y), response, octave};
+}
+
+}  // namespace
+
+cv::Rect InsideBorder(const cv::Mat& level_image) {
+  return {kBorder, kBorder, std::max(0, level_image.cols - 2 * kBorder),
+          std::max(0, level_image.rows - 2 * kBorder)};
+}
+
+void LevelExtractor::Detect(const PyramidLevel& level, const cv::Mat& mask,
+                            const ExtractorOptions& options) {
+  detector_.Detect(level.image, options.min_fast_threshold, InsideBorder(level.image), corners_);
+  if (!mask.empty()) {
+    std::erase_if(corners_, [&](const Corner& corner) { return !IsKept(mask, level, corner); });
+  }
+  if (options.ranking == Ranking::kHarris) {
+    RankByHarris(level.image, options.fast_threshold, corners_);
+  }
+}
+
+void LevelExtractor::Describe(const PyramidLevel& level, int octave, int quota,
+                              const ExtractorOptions& options, const Describer& describer) {
+  if (options.grid) {
+    selector_.Select(corners_, InsideBorder(level.image), options.cell_size_px, quota, chosen_);
+  } else {
+    SelectStrongest(corners_, quota, chosen_);
+  }
+  features_.keypoints.clear();
+  features_.descriptors.clear();
+  for (const int i : chosen_) {
+    const Corner& corner = corners_[i];
+    const Keypoint keypoint = MakeKeypoint(level, octave, corner, options.ranking);
+    features_.keypoints.push_back(keypoint);
+    features_.descriptors.push_back(
+        describer.Describe(level.image, corner.x, corner.y, keypoint.angle_deg));
+  }
+}
+
+}  // namespace corvo::orb

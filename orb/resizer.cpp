@@ -1,0 +1,100 @@
+#include "orb/resizer.h"
+
+#include <algorithm>
+
+namespace corvo::orb {
+namespace {
+
+constexpr int kUnit = 1 << kernels::kWeightBits;
+
+}  // namespace
+
+/// Tap of target pixel `i`: the source position ((2i + 1) source - target) / (2 target).
+Resizer::Tap Resizer::TapAt(int i, int source, int target) {
+  const std::int64_t denominator = 2 * std::int64_t{target};
+  const std::int64_t numerator = std::clamp((2 * std::int64_t{i} + 1) * source - target,
+                                            std::int64_t{0}, denominator * (source - 1));
+  const auto index = static_cast<int>(numerator / denominator);
+  const std::int64_t rest = numerator % denominator;
+  const auto weight = static_cast<int>((rest * kUnit + target) / denominator);
+  return {index, std::min(index + 1, source - 1), weight};
+}
+
+/// The second half mirrors the first, so that rounded weights have no preferred direction.
+std::vector<Resizer::Tap> Resizer::MakeTaps(int source, int target) {
+  std::vector<Tap> taps(target);
+  for (int i = 0; i < target; ++i) {
+    const int mirrored = target - 1 - i;
+    if (i <= mirrored) {
+      taps[i] = TapAt(i, source, target);
+    } else {
+      const Tap& twin = taps[mirrored];
+      taps[i] = {source - 1 - twin.next, source - 1 - twin.index, kUnit - twin.weight};
+    }
+  }
+  for (Tap& tap : taps) {
+    if (tap.weight == kUnit) tap = {tap.next, tap.next, 0};
+  }
+  return taps;
+}
+
+/// As many neighbouring taps to a group as it has room for and its reach holds.
+std::vector<kernels::TapGroup> Resizer::GroupTaps(const std::vector<Tap>& taps, int source) {
+  std::vector<kernels::TapGroup> groups;
+  const int count = static_cast<int>(taps.size());
+  for (int i = 0; i < count;) {
+    kernels::TapGroup group{};
+    std::fill_n(group.first, kernels::kTapReach, std::uint8_t{0x80});
+    std::fill_n(group.second, kernels::kTapReach, std::uint8_t{0x80});
+    for (int k = 0; k < kernels::kTapsPerGroup; ++k) group.first[2 * k] = group.second[2 * k] = 0;
+    group.base = std::min(taps[i].index, std::max(0, source - kernels::kTapReach));
+    group.target = i;
+    for (int k = 0; k < kernels::kTapsPerGroup && i < count; ++k, ++i) {
+      const Tap& tap = taps[i];
+      if (tap.next - group.base >= kernels::kTapReach) break;
+      group.first[2 * k] = static_cast<std::uint8_t>(tap.index - group.base);
+      group.second[2 * k] = static_cast<std::uint8_t>(tap.next - group.base);
+      group.weight[k] = static_cast<std::int16_t>(tap.weight);
+    }
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+Resizer::Resizer(cv::Size from, cv::Size to)
+    : from_(from),
+      to_(to),
+      row_taps_(MakeTaps(from.height, to.height)),
+      column_taps_(GroupTaps(MakeTaps(from.width, to.width), from.width)) {}
+
+const std::int16_t* Resizer::InterpolatedRow(const cv::Mat& image, int y, RowCache& cache) const {
+  const int slot = y % 2;
+  std::int16_t* row = cache.rows[slot].data();
+  if (cache.held[slot] == y) return row;
+  cache.held[slot] = y;
+  const auto interpolate =
+      from_.width < kernels::kTapReach ? kernels::scalar::InterpolateRow : kernels::InterpolateRow;
+  interpolate(image.ptr(y), column_taps_.data(), static_cast<int>(column_taps_.size()), row);
+  return row;
+}
+
+void Resizer::ResizeRows(const cv::Mat& image, int begin, int end, RowCache& cache,
+                         cv::Mat& resized) const {
+  for (auto& row : cache.rows) row.resize(to_.width + kernels::kTapsPerGroup);
+  cache.held = {-1, -1};
+  for (int y = begin; y < end; ++y) {
+    const Tap& tap = row_taps_[y];
+    const std::int16_t* upper = InterpolatedRow(image, tap.index, cache);
+    const std::int16_t* lower = InterpolatedRow(image, tap.next, cache);
+    kernels::BlendRows(upper, lower, tap.weight, to_.width, resized.ptr(y));
+  }
+}
+
+cv::Mat Resize(const cv::Mat& image, cv::Size size) {
+  cv::Mat resized(size, CV_8UC1);
+  Resizer::RowCache cache;
+  Resizer(image.size(), size).ResizeRows(image, 0, size.height, cache, resized);
+  return resized;
+}
+
+}  // namespace corvo::orb

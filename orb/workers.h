@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace corvo::orb {
+
+/// Threads that share a number of tasks; one alone works on the caller's.
+class Workers {
+ public:
+  /// No more than there are processors.
+  explicit Workers(int threads)
+      : count_(std::min(threads, tbb::info::default_concurrency())), arena_(count_) {}
+
+  int count() const { return count_; }
+
+  /// Calls `work(i)` for every i in [0, num_tasks); tasks are begun in this order.
+  template <typename Work>
+  void ForEach(int num_tasks, const Work& work) {
+    if (count_ == 1 || num_tasks == 1) {
+      for (int i = 0; i < num_tasks; ++i) work(i);
+      return;
+    }
+    std::atomic<int> next = 0;
+    arena_.execute([&] {
+      tbb::parallel_for(0, std::min(count_, num_tasks), [&](int) {
+        for (int i = next++; i < num_tasks; i = next++) work(i);
+      });
+    });
+  }
+
+ private:
+  int count_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace corvo::orb
