@@ -1,22 +1,6 @@
 #include "orb/descriptor.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include "orb/kernels/window_sums.h"
-
 namespace corvo::orb {
-
-cv::Mat WindowSums(const cv::Mat& image) {
-  cv::Mat sums = cv::Mat::zeros(image.size(), CV_16UC1);
-  std::vector<std::uint16_t> columns(image.cols);
-  for (int y = kWindowRadius; y < image.rows - kWindowRadius; ++y) {
-    kernels::SumWindowRow(image.ptr(y), static_cast<std::ptrdiff_t>(image.step), image.cols,
-                          columns.data(), sums.ptr<std::uint16_t>(y));
-  }
-  return sums;
-}
 
 Describer::Describer(const Pattern& pattern, int bins, bool upright)
     : patterns_(pattern, bins), upright_(upright), tests_(bins) {
@@ -29,11 +13,11 @@ Describer::Describer(const Pattern& pattern, int bins, bool upright)
   }
 }
 
-Descriptor Describer::Describe(const cv::Mat& image, int x, int y, float angle_deg) const {
+Descriptor Describer::Describe(const std::uint16_t* sums, std::ptrdiff_t stride,
+                               float angle_deg) const {
   const int bin = upright_ ? 0 : patterns_.NearestBin(angle_deg);
   Descriptor descriptor;
-  kernels::TestPatch(image.ptr(y) + x, static_cast<std::ptrdiff_t>(image.step), tests_[bin],
-                     descriptor.bytes.data());
+  kernels::TestPatch(sums, stride, tests_[bin], descriptor.bytes.data());
   return descriptor;
 }
 

@@ -1,7 +1,10 @@
 #include "orb/extractor.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +15,7 @@
 #include "orb/orientation.h"
 #include "orb/pyramid.h"
 #include "orb/rounding.h"
+#include "orb/window_sums.h"
 #include "orb/workers.h"
 
 namespace corvo::orb {
@@ -71,17 +75,43 @@ std::optional<cv::Point> DescribablePixel(const PyramidLevel& level, const Keypo
 
 bool IsDirection(float angle_deg) { return angle_deg >= 0.0F && angle_deg < 360.0F; }
 
-/// The keypoint with its descriptor, if it can be described. Its angle is measured if it has none.
-std::optional<Descriptor> DescribeKeypoint(const std::vector<PyramidLevel>& levels,
-                                           const Describer& describer, Keypoint& keypoint) {
-  if (keypoint.octave < 0 || keypoint.octave >= static_cast<int>(levels.size())) return {};
-  const PyramidLevel& level = levels[keypoint.octave];
-  const std::optional<cv::Point> pixel = DescribablePixel(level, keypoint);
-  if (!pixel) return {};
-  if (!IsDirection(keypoint.angle_deg)) {
-    keypoint.angle_deg = OrientationDeg(level.image, pixel->x, pixel->y);
+/// Describes keypoints of any level, best those of one level together and in order of rows.
+class KeypointDescriber {
+ public:
+  KeypointDescriber(const std::vector<PyramidLevel>& levels, const Describer& describer)
+      : levels_(levels), describer_(describer) {}
+
+  /// None where the keypoint cannot be described. Measures its angle if it has none.
+  std::optional<Descriptor> Describe(Keypoint& keypoint) {
+    if (keypoint.octave < 0 || keypoint.octave >= static_cast<int>(levels_.size())) return {};
+    const PyramidLevel& level = levels_[keypoint.octave];
+    const std::optional<cv::Point> pixel = DescribablePixel(level, keypoint);
+    if (!pixel) return {};
+    if (keypoint.octave != octave_) sums_.Start(level.image);
+    octave_ = keypoint.octave;
+    if (!IsDirection(keypoint.angle_deg)) {
+      keypoint.angle_deg = OrientationDeg(level.image, pixel->x, pixel->y);
+    }
+    return describer_.Describe(sums_.Row(pixel->y) + pixel->x, sums_.stride(), keypoint.angle_deg);
   }
-  return describer.Describe(level.image, pixel->x, pixel->y, keypoint.angle_deg);
+
+ private:
+  const std::vector<PyramidLevel>& levels_;
+  const Describer& describer_;
+  int octave_ = -1;  ///< That sums_ is of.
+  WindowSumBand sums_;
+};
+
+/// Indices of the keypoints by octave, then by row.
+std::vector<int> OrderByRow(std::span<const Keypoint> keypoints) {
+  std::vector<int> order(keypoints.size());
+  std::iota(order.begin(), order.end(), 0);
+  // A coordinate that is not a number is not ordered, but stands for no row at all.
+  const auto row_of = [&](int i) { return std::isfinite(keypoints[i].y) ? keypoints[i].y : -1; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::pair(keypoints[a].octave, row_of(a)) < std::pair(keypoints[b].octave, row_of(b));
+  });
+  return order;
 }
 
 void Concatenate(const std::vector<LevelExtractor>& levels, Features& all) {
@@ -164,13 +194,15 @@ DescribedKeypoints Extractor::Describe(const cv::Mat& image,
                                        std::span<const Keypoint> keypoints) const {
   CheckInput(image, cv::Mat());
   const std::vector<PyramidLevel> levels = BuildPyramid(image, octave_scales_);
+  KeypointDescriber describer(levels, describer_);
+  std::vector<Keypoint> oriented(keypoints.begin(), keypoints.end());
+  std::vector<std::optional<Descriptor>> descriptors(keypoints.size());
+  for (const int i : OrderByRow(keypoints)) descriptors[i] = describer.Describe(oriented[i]);
   DescribedKeypoints described;
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
-    Keypoint keypoint = keypoints[i];
-    const std::optional<Descriptor> descriptor = DescribeKeypoint(levels, describer_, keypoint);
-    if (!descriptor) continue;
-    described.features.keypoints.push_back(keypoint);
-    described.features.descriptors.push_back(*descriptor);
+    if (!descriptors[i]) continue;
+    described.features.keypoints.push_back(oriented[i]);
+    described.features.descriptors.push_back(*descriptors[i]);
     described.indices.push_back(static_cast<int>(i));
   }
   return described;

@@ -26,7 +26,7 @@ void FastDetector::Detect(const cv::Mat& image, int threshold, const cv::Rect& r
   const cv::Rect scored = ScoredArea(image, inside);
   if (inside.empty() || scored.empty()) return;
   for (std::vector<std::uint8_t>& row : scores_) row.assign(image.cols + 2, 0);
-  columns_.resize(image.cols);
+  columns_.resize(image.cols + kernels::kMaximaRoom);
   const auto stride = static_cast<std::ptrdiff_t>(image.step);
   for (int y = scored.y; y < scored.br().y; ++y) {
     kernels::ScoreFastRow(image.ptr(y) + scored.x, stride, scored.width, threshold,

@@ -1,25 +1,19 @@
 #include "orb/grid.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 namespace corvo::orb {
 namespace {
 
-/// Orders indices of corners: highest score first, ties by index.
-class StrongerThan {
- public:
-  explicit StrongerThan(std::span<const Corner> corners) : corners_(corners) {}
+CornerRank RankOf(const Corner& corner, std::size_t index) {
+  return std::uint64_t{static_cast<std::uint32_t>(corner.score)} << 32 |
+         static_cast<std::uint32_t>(~index);
+}
 
-  bool operator()(int a, int b) const {
-    if (corners_[a].score != corners_[b].score) return corners_[a].score > corners_[b].score;
-    return a < b;
-  }
-
- private:
-  std::span<const Corner> corners_;
-};
+std::uint32_t IndexOf(CornerRank rank) { return ~static_cast<std::uint32_t>(rank); }
 
 /// Number of cells of about `cell_size` that a length is divided into.
 int NumCells(int length, int cell_size) {
@@ -78,7 +72,7 @@ void GridSelector::SortIntoCells(std::span<const Corner> corners, const cv::Rect
   std::exclusive_scan(cell_ends_.begin(), cell_ends_.end(), cell_ends_.begin(), 0);
   members_.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    members_[cell_ends_[cell_of_[i]]++] = static_cast<int>(i);
+    members_[cell_ends_[cell_of_[i]]++] = RankOf(corners[i], i);
   }
 }
 
@@ -102,7 +96,7 @@ int GridSelector::FullRounds(int quota) {
   return rounds;
 }
 
-int GridSelector::MarkRounds(std::span<const Corner> corners, int rounds) {
+int GridSelector::MarkRounds(int rounds) {
   int marked = 0;
   next_.clear();
   auto begin = members_.begin();
@@ -111,20 +105,20 @@ int GridSelector::MarkRounds(std::span<const Corner> corners, int rounds) {
     const auto count = std::min<std::ptrdiff_t>(rounds, end - begin);
     const bool has_next = count < end - begin;
     if (has_next) {
-      std::partial_sort(begin, begin + count + 1, end, StrongerThan(corners));
+      std::partial_sort(begin, begin + count + 1, end, std::greater<>());
       next_.push_back(begin[count]);
     }
-    for (auto member = begin; member != begin + count; ++member) is_chosen_[*member] = 1;
+    for (auto member = begin; member != begin + count; ++member) is_chosen_[IndexOf(*member)] = 1;
     marked += static_cast<int>(count);
     begin = end;
   }
   return marked;
 }
 
-void GridSelector::MarkNext(std::span<const Corner> corners, int count) {
+void GridSelector::MarkNext(int count) {
   const auto end = next_.begin() + std::min<std::ptrdiff_t>(count, std::ssize(next_));
-  std::nth_element(next_.begin(), end, next_.end(), StrongerThan(corners));
-  std::for_each(next_.begin(), end, [&](int i) { is_chosen_[i] = 1; });
+  std::nth_element(next_.begin(), end, next_.end(), std::greater<>());
+  std::for_each(next_.begin(), end, [&](CornerRank rank) { is_chosen_[IndexOf(rank)] = 1; });
 }
 
 void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
@@ -133,8 +127,8 @@ void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area,
   if (quota <= 0 || corners.empty()) return;
   is_chosen_.assign(corners.size(), 0);
   SortIntoCells(corners, area, cell_size);
-  const int marked = MarkRounds(corners, FullRounds(quota));
-  MarkNext(corners, quota - marked);
+  const int marked = MarkRounds(FullRounds(quota));
+  MarkNext(quota - marked);
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
     if (is_chosen_[i] != 0) chosen.push_back(i);
   }
@@ -152,7 +146,8 @@ void SelectStrongest(std::span<const Corner> corners, int quota, std::vector<int
   std::iota(chosen.begin(), chosen.end(), 0);
   const auto count = std::min(chosen.size(), static_cast<std::size_t>(std::max(quota, 0)));
   const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(count);
-  std::nth_element(chosen.begin(), end, chosen.end(), StrongerThan(corners));
+  std::nth_element(chosen.begin(), end, chosen.end(),
+                   [&](int a, int b) { return RankOf(corners[a], a) > RankOf(corners[b], b); });
   chosen.resize(count);
   std::sort(chosen.begin(), chosen.end());
 }

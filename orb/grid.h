@@ -16,6 +16,9 @@ namespace corvo::orb {
 std::vector<int> Apportion(int total, std::span<const std::int64_t> weights,
                            std::span<const int> capacities);
 
+/// A corner's score above the complement of its index: the higher goes first.
+using CornerRank = std::uint64_t;
+
 /// Picks corners of one level after another; keeps its buffers.
 class GridSelector {
  public:
@@ -34,17 +37,17 @@ class GridSelector {
   int FullRounds(int quota);
   /// Marks the `rounds` best of every cell, and collects those that come next. Returns how many
   /// were marked.
-  int MarkRounds(std::span<const Corner> corners, int rounds);
+  int MarkRounds(int rounds);
   /// Marks the best `count` of those collected.
-  void MarkNext(std::span<const Corner> corners, int count);
+  void MarkNext(int count);
 
   std::vector<int> column_of_x_;  ///< Cell column of area.x + i.
   std::vector<int> cell_of_;      ///< By corner.
   std::vector<int> cell_ends_;
-  std::vector<int>
-      members_;  ///< Corners by cell: cell c's end at cell_ends_[c], where c + 1's begin.
+  /// By cell: the members of c end where those of c + 1 begin.
+  std::vector<CornerRank> members_;
   std::vector<int> cells_with_more_;
-  std::vector<int> next_;
+  std::vector<CornerRank> next_;
   std::vector<std::uint8_t> is_chosen_;
 };
 

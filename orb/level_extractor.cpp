@@ -53,12 +53,13 @@ void LevelExtractor::Describe(const PyramidLevel& level, int octave, int quota,
   }
   features_.keypoints.clear();
   features_.descriptors.clear();
+  sums_.Start(level.image);
   for (const int i : chosen_) {
     const Corner& corner = corners_[i];
     const Keypoint keypoint = MakeKeypoint(level, octave, corner, options.ranking);
     features_.keypoints.push_back(keypoint);
     features_.descriptors.push_back(
-        describer.Describe(level.image, corner.x, corner.y, keypoint.angle_deg));
+        describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), keypoint.angle_deg));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "orb/options.h"
 #include "orb/pyramid.h"
 #include "orb/types.h"
+#include "orb/window_sums.h"
 
 namespace corvo::orb {
 
@@ -36,6 +37,7 @@ class LevelExtractor {
   std::vector<Corner> corners_;
   GridSelector selector_;
   std::vector<int> chosen_;
+  WindowSumBand sums_;
   Features features_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "orb/kernels/fast_score.cpp"
@@ -38,29 +39,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<std::uint8_t>;
 using Lanes = hn::Vec<Tag>;
 
-/// Whether any of a block's pixels may have an arc of 9 of contrast above the threshold: such an
-/// arc holds one pixel at least of every two opposite ones.
-HWY_INLINE bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& circle, Lanes centre,
-                              Lanes threshold) {
-  const Tag d;
-  Lanes above = hn::Set(d, 255);
-  Lanes below = hn::Zero(d);
-  for (int k = 0; k < kHalfCircle; k += 2) {
-    const Lanes a = hn::LoadU(d, pixels + circle[k]);
-    const Lanes b = hn::LoadU(d, pixels + circle[k + kHalfCircle]);
-    above = hn::Min(above, hn::Max(a, b));
-    below = hn::Max(below, hn::Min(a, b));
-  }
-  const Lanes bound = hn::Max(hn::SaturatedSub(above, centre), hn::SaturatedSub(centre, below));
-  return !hn::AllTrue(d, hn::Eq(hn::SaturatedSub(bound, threshold), hn::Zero(d)));
-}
-
 /// By how much the brightest arc of 9 exceeds the centre, or the centre the darkest arc; else 0.
 /// Arcs come in twos that share 8 pixels, from even places on; windows of 8 are built from windows
 /// of 2 and 4.
-HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& offsets,
-                             Lanes centre) {
+HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& offsets) {
   const Tag d;
+  const Lanes centre = hn::LoadU(d, pixels);
   Lanes circle[kCircle];
   Lanes least[kHalfCircle];
   Lanes greatest[kHalfCircle];
@@ -97,13 +81,9 @@ void ScoreFastRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, i
   const Lanes threshold_lanes = hn::Set(d, static_cast<std::uint8_t>(threshold));
   for (int begin = 0; begin < width; begin += step) {
     const int x = std::min(begin, width - step);
-    const Lanes centre = hn::LoadU(d, row + x);
-    Lanes score = hn::Zero(d);
-    if (MayHaveCorner(row + x, circle, centre, threshold_lanes)) {
-      const Lanes contrast = ArcContrast(row + x, circle, centre);
-      const auto is_corner = hn::Gt(contrast, threshold_lanes);
-      score = hn::IfThenElseZero(is_corner, hn::Sub(contrast, hn::Set(d, 1)));
-    }
+    const Lanes contrast = ArcContrast(row + x, circle);
+    const auto is_corner = hn::Gt(contrast, threshold_lanes);
+    const Lanes score = hn::IfThenElseZero(is_corner, hn::Sub(contrast, hn::Set(d, 1)));
     hn::StoreU(score, d, scores + x);
   }
 }
@@ -113,7 +93,6 @@ HWY_INLINE std::uint64_t MaximaBits(const std::uint8_t* above, const std::uint8_
                                     const std::uint8_t* below, int x) {
   const Tag d;
   const Lanes score = hn::LoadU(d, here + x);
-  if (hn::AllTrue(d, hn::Eq(score, hn::Zero(d)))) return 0;
   Lanes rival = hn::Max(hn::LoadU(d, here + x - 1), hn::LoadU(d, here + x + 1));
   for (int dx = -1; dx <= 1; ++dx) {
     rival = hn::Max(rival, hn::LoadU(d, above + x + dx));
@@ -124,6 +103,20 @@ HWY_INLINE std::uint64_t MaximaBits(const std::uint8_t* above, const std::uint8_
   return bits;
 }
 
+/// Writes x + i for every bit i that is set, ascending; returns how many are. The first kMaximaRoom
+/// are written whether set or not: to guess their number wrong would cost more.
+HWY_INLINE int WriteBits(std::uint64_t bits, int x, std::uint16_t* columns) {
+  constexpr std::uint64_t kLast = std::uint64_t{1} << 63;  // Where no bit is left.
+  const int count = std::popcount(bits);
+  for (int i = 0; i < kMaximaRoom; ++i, bits &= bits - 1) {
+    columns[i] = static_cast<std::uint16_t>(x + std::countr_zero(bits | kLast));
+  }
+  for (int i = kMaximaRoom; i < count; ++i, bits &= bits - 1) {
+    columns[i] = static_cast<std::uint16_t>(x + std::countr_zero(bits));
+  }
+  return count;
+}
+
 int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std::uint8_t* below,
                   int width, std::uint16_t* columns) {
   const int step = static_cast<int>(hn::Lanes(Tag()));
@@ -132,11 +125,8 @@ int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std
   for (int begin = 0; begin < width; begin += step) {
     const int x = std::min(begin, width - step);
     const int num_seen = begin - x;
-    std::uint64_t bits = MaximaBits(above, here, below, x) >> num_seen << num_seen;
-    for (; bits != 0; bits &= bits - 1) {
-      const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      columns[count++] = static_cast<std::uint16_t>(x + lane);
-    }
+    const std::uint64_t bits = MaximaBits(above, here, below, x) >> num_seen << num_seen;
+    count += WriteBits(bits, x, columns + count);
   }
   return count;
 }

@@ -52,7 +52,7 @@ TEST(FindRowMaximaTest, IsItsScalarTwin) {
       const std::uint8_t* above = rows.data() + 1;
       const std::uint8_t* here = above + width + 2;
       const std::uint8_t* below = here + width + 2;
-      std::vector<std::uint16_t> columns(width);
+      std::vector<std::uint16_t> columns(width + kMaximaRoom);
       std::vector<std::uint16_t> expected(width);
       columns.resize(FindRowMaxima(above, here, below, width, columns.data()));
       expected.resize(scalar::FindRowMaxima(above, here, below, width, expected.data()));
@@ -64,7 +64,7 @@ TEST(FindRowMaximaTest, IsItsScalarTwin) {
 TEST(FindRowMaximaTest, EqualNeighboursSuppressOneAnother) {
   const std::vector<std::uint8_t> none(10, 0);
   const std::vector<std::uint8_t> scores = {0, 0, 5, 5, 0, 7, 0, 3, 4, 0};
-  std::vector<std::uint16_t> columns(8);
+  std::vector<std::uint16_t> columns(8 + kMaximaRoom);
   const int count =
       FindRowMaxima(none.data() + 1, scores.data() + 1, none.data() + 1, 8, columns.data());
   columns.resize(count);
