@@ -1,29 +1,17 @@
 #include "orb/matcher.h"
 
 #include <algorithm>
-#include <array>
+#include <memory>
 #include <numeric>
 #include <string>
 
 #include "orb/error.h"
 #include "orb/hamming.h"
+#include "orb/kernels/nearest_two.h"
 #include "orb/rounding.h"
 
 namespace corvo::orb {
 namespace {
-
-/// Takes a candidate into account. Candidates come in ascending order of index.
-void Update(Nearest& nearest, int index, int distance) {
-  if (distance < nearest.distance) {
-    nearest.second_distance = nearest.distance;
-    nearest.second_index = nearest.index;
-    nearest.distance = distance;
-    nearest.index = index;
-  } else if (distance < nearest.second_distance) {
-    nearest.second_distance = distance;
-    nearest.second_index = index;
-  }
-}
 
 void CheckSameSize(const char* what, std::size_t a, std::size_t b) {
   if (a == b) return;
@@ -60,11 +48,9 @@ std::vector<bool> DominantBins(const std::vector<int>& counts) {
 std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
                                  std::span<const Descriptor> train) {
   std::vector<Nearest> nearest(queries.size());
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    for (std::size_t j = 0; j < train.size(); ++j) {
-      Update(nearest[i], static_cast<int>(j), HammingDistance(queries[i], train[j]));
-    }
-  }
+  const auto scratch = std::make_unique_for_overwrite<kernels::NearestTwoScratch>();
+  kernels::FindNearestTwo(queries.data(), static_cast<int>(queries.size()), train.data(),
+                          static_cast<int>(train.size()), *scratch, nearest.data());
   return nearest;
 }
 

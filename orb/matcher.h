@@ -4,19 +4,10 @@
 #include <vector>
 
 #include "orb/keypoint_index.h"
+#include "orb/nearest.h"
 #include "orb/types.h"
 
 namespace corvo::orb {
-
-/// The nearest and second-nearest candidate of a query. Ties go to the lower index.
-struct Nearest {
-  int index = -1;             ///< Of the nearest; -1 where there is no candidate.
-  int distance = 257;         ///< Of the nearest, bits; 257 where there is none.
-  int second_distance = 257;  ///< Of the second nearest, bits; 257 where there is none.
-  int second_index = -1;      ///< Of the second nearest; -1 where there is none.
-
-  bool operator==(const Nearest&) const = default;
-};
 
 /// Keypoint `query` of one image corresponds to keypoint `train` of another.
 struct Match {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
+#include "orb/extractor.h"
 #include "orb/hamming.h"
 #include "tests/orb/images.h"
 #include "tests/support/matchers.h"
@@ -50,6 +52,18 @@ TEST(FindNearestTest, IsTheDefinitionWithTiesToTheLowerIndex) {
   ASSERT_EQ(nearest.size(), queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
     EXPECT_EQ(nearest[i], NaiveNearest(queries[i], train, all));
+  }
+}
+
+TEST(FindNearestTest, IsTheDefinitionOnRealImages) {
+  const Extractor extractor({.num_features = 1200});
+  const auto queries = extractor.Extract(test::ReadGrey("oxford_affine/graf/img1.ppm"));
+  const auto train = extractor.Extract(test::ReadGrey("oxford_affine/graf/img2.ppm"));
+  std::vector<int> all(train.descriptors.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto nearest = FindNearest(queries.descriptors, train.descriptors);
+  for (std::size_t i = 0; i < nearest.size(); i += 5) {
+    EXPECT_EQ(nearest[i], NaiveNearest(queries.descriptors[i], train.descriptors, all));
   }
 }
 
