@@ -56,9 +56,9 @@ TEST(OrientationDegTest, PointsAlongTheGradientOfARamp) {
   for (const double direction_deg : {0.0, 30.0, 100.0, 200.0, 333.0}) {
     const double radians = direction_deg * std::numbers::pi / 180;
     cv::Mat ramp(33, 33, CV_8UC1);
-    for (int y = 0; y < 31; ++y) {
-      for (int x = 0; x < 31; ++x) {
-        const double along = (x - 15) * std::cos(radians) + (y - 15) * std::sin(radians);
+    for (int y = 0; y < 33; ++y) {
+      for (int x = 0; x < 33; ++x) {
+        const double along = (x - 16) * std::cos(radians) + (y - 16) * std::sin(radians);
         ramp.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(128 + 5 * along);
       }
     }
