@@ -38,25 +38,23 @@ std::vector<Resizer::Tap> Resizer::MakeTaps(int source, int target) {
   return taps;
 }
 
-/// As many neighbouring taps to a group as it has room for and its reach holds.
-std::vector<kernels::TapGroup> Resizer::GroupTaps(const std::vector<Tap>& taps, int source) {
-  std::vector<kernels::TapGroup> groups;
-  const int count = static_cast<int>(taps.size());
-  for (int i = 0; i < count;) {
-    kernels::TapGroup group{};
-    std::fill_n(group.first, kernels::kTapReach, std::uint8_t{0x80});
-    std::fill_n(group.second, kernels::kTapReach, std::uint8_t{0x80});
-    for (int k = 0; k < kernels::kTapsPerGroup; ++k) group.first[2 * k] = group.second[2 * k] = 0;
-    group.base = std::min(taps[i].index, std::max(0, source - kernels::kTapReach));
-    group.target = i;
-    for (int k = 0; k < kernels::kTapsPerGroup && i < count; ++k, ++i) {
-      const Tap& tap = taps[i];
-      if (tap.next - group.base >= kernels::kTapReach) break;
-      group.first[2 * k] = static_cast<std::uint8_t>(tap.index - group.base);
-      group.second[2 * k] = static_cast<std::uint8_t>(tap.next - group.base);
-      group.weight[k] = static_cast<std::int16_t>(tap.weight);
+Resizer::ColumnTaps Resizer::GroupTaps(std::vector<Tap> taps, int source) {
+  ColumnTaps groups;
+  groups.are_near = source >= kernels::kTapReach;
+  while (taps.size() % kernels::kTapsPerGroup != 0) taps.push_back(taps.back());
+  int base = 0;
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    const Tap& tap = taps[i];
+    if (i % kernels::kTapsPerGroup == 0) {
+      base = std::min(tap.index, std::max(0, source - kernels::kTapReach));
+      groups.bases.push_back(base);
     }
-    groups.push_back(group);
+    groups.are_near = groups.are_near && tap.next - base < kernels::kTapReach;
+    groups.first.push_back(static_cast<std::uint8_t>(tap.index - base));
+    groups.first.push_back(0x80);
+    groups.second.push_back(static_cast<std::uint8_t>(tap.next - base));
+    groups.second.push_back(0x80);
+    groups.weights.push_back(static_cast<std::int16_t>(tap.weight));
   }
   return groups;
 }
@@ -72,9 +70,11 @@ const std::int16_t* Resizer::InterpolatedRow(const cv::Mat& image, int y, RowCac
   std::int16_t* row = cache.rows[slot].data();
   if (cache.held[slot] == y) return row;
   cache.held[slot] = y;
-  const auto interpolate =
-      from_.width < kernels::kTapReach ? kernels::scalar::InterpolateRow : kernels::InterpolateRow;
-  interpolate(image.ptr(y), column_taps_.data(), static_cast<int>(column_taps_.size()), row);
+  const auto& [first, second, weights, bases, are_near] = column_taps_;
+  const kernels::TapGroups groups{static_cast<int>(bases.size()), first.data(), second.data(),
+                                  weights.data(), bases.data()};
+  const auto interpolate = are_near ? kernels::InterpolateRow : kernels::scalar::InterpolateRow;
+  interpolate(image.ptr(y), groups, row);
   return row;
 }
 

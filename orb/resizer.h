@@ -42,13 +42,23 @@ class Resizer {
 
   static std::vector<Tap> MakeTaps(int source, int target);
   static Tap TapAt(int i, int source, int target);
-  static std::vector<kernels::TapGroup> GroupTaps(const std::vector<Tap>& taps, int source);
+
+  /// What kernels::TapGroups points at.
+  struct ColumnTaps {
+    std::vector<std::uint8_t> first;
+    std::vector<std::uint8_t> second;
+    std::vector<std::int16_t> weights;
+    std::vector<std::int32_t> bases;
+    bool are_near = true;  ///< All within kernels::kTapReach of their base.
+  };
+
+  static ColumnTaps GroupTaps(std::vector<Tap> taps, int source);
   const std::int16_t* InterpolatedRow(const cv::Mat& image, int y, RowCache& cache) const;
 
   cv::Size from_;
   cv::Size to_;
   std::vector<Tap> row_taps_;
-  std::vector<kernels::TapGroup> column_taps_;
+  ColumnTaps column_taps_;
 };
 
 /// `image` resized whole.

@@ -15,19 +15,46 @@ using scalar::InterpolateRow;
 #else
 namespace hn = hwy::HWY_NAMESPACE;
 
-void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroup* HWY_RESTRICT groups,
-                    int num_groups, std::int16_t* HWY_RESTRICT targets) {
-  const hn::FixedTag<std::uint8_t, kTapReach> d8;
-  const hn::FixedTag<std::int16_t, kTapsPerGroup> d16;
-  for (int g = 0; g < num_groups; ++g) {
-    const TapGroup& group = groups[g];
-    const auto pixels = hn::LoadU(d8, source + group.base);
-    const auto first = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, hn::Load(d8, group.first)));
-    const auto second =
-        hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, hn::Load(d8, group.second)));
-    const auto step = hn::Mul(hn::Sub(second, first), hn::Load(d16, group.weight));
-    hn::StoreU(hn::Add(hn::ShiftLeft<kWeightBits>(first), step), d16, targets + group.target);
+/// The source pixels of groups g, g + 1, ... one above the other.
+template <typename D>
+HWY_INLINE hn::Vec<D> LoadSources(D d, const std::uint8_t* source, const std::int32_t* bases) {
+  if constexpr (hn::MaxLanes(D()) == kTapReach) {
+    return hn::LoadU(d, source + *bases);
+  } else {
+    const hn::Half<D> half;
+    const int num_half = static_cast<int>(hn::MaxLanes(half)) / kTapReach;
+    return hn::Combine(d, LoadSources(half, source, bases + num_half),
+                       LoadSources(half, source, bases));
   }
+}
+
+/// As many groups as the tag has room for, from group g on.
+template <typename D>
+HWY_INLINE void InterpolateGroups(D d8, const std::uint8_t* source, const TapGroups& groups, int g,
+                                  std::int16_t* targets) {
+  const hn::Repartition<std::int16_t, D> d16;
+  const auto pixels = LoadSources(d8, source, groups.bases + g);
+  const auto first_taps = hn::LoadU(d8, groups.first + g * kTapReach);
+  const auto second_taps = hn::LoadU(d8, groups.second + g * kTapReach);
+  const auto weights = hn::LoadU(d16, groups.weights + g * kTapsPerGroup);
+  const auto first = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, first_taps));
+  const auto second = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, second_taps));
+  const auto step = hn::Mul(hn::Sub(second, first), weights);
+  const auto values = hn::Add(hn::ShiftLeft<kWeightBits>(first), step);
+  hn::StoreU(values, d16, targets + g * kTapsPerGroup);
+}
+
+void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroups& row_groups,
+                    std::int16_t* HWY_RESTRICT targets) {
+  const hn::CappedTag<std::uint8_t, 4 * kTapReach> several;
+  const hn::FixedTag<std::uint8_t, kTapReach> one;
+  constexpr int kSeveral = static_cast<int>(hn::MaxLanes(several)) / kTapReach;
+  const TapGroups groups = row_groups;  // What is written cannot change the copy.
+  int g = 0;
+  for (; g + kSeveral <= groups.count; g += kSeveral) {
+    InterpolateGroups(several, source, groups, g, targets);
+  }
+  for (; g < groups.count; ++g) InterpolateGroups(one, source, groups, g, targets);
 }
 
 /// (weight * d) >> 7, rounded down.
@@ -67,9 +94,8 @@ namespace corvo::orb::kernels {
 HWY_EXPORT(BlendRows);
 HWY_EXPORT(InterpolateRow);
 
-void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
-                    std::int16_t* targets) {
-  HWY_DYNAMIC_DISPATCH(InterpolateRow)(source, groups, num_groups, targets);
+void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets) {
+  HWY_DYNAMIC_DISPATCH(InterpolateRow)(source, groups, targets);
 }
 
 void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int width,
@@ -81,14 +107,13 @@ namespace scalar {
 
 constexpr int kUnit = 1 << kWeightBits;
 
-void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
-                    std::int16_t* targets) {
-  for (const TapGroup* group = groups; group != groups + num_groups; ++group) {
+void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets) {
+  for (int g = 0; g < groups.count; ++g) {
     for (int i = 0; i < kTapsPerGroup; ++i) {
-      const int first = source[group->base + group->first[2 * i]];
-      const int second = source[group->base + group->second[2 * i]];
-      const int weight = group->weight[i];
-      targets[group->target + i] =
+      const int first = source[groups.bases[g] + groups.first[g * kTapReach + 2 * i]];
+      const int second = source[groups.bases[g] + groups.second[g * kTapReach + 2 * i]];
+      const int weight = groups.weights[g * kTapsPerGroup + i];
+      targets[g * kTapsPerGroup + i] =
           static_cast<std::int16_t>((kUnit - weight) * first + weight * second);
     }
   }

@@ -8,21 +8,21 @@ inline constexpr int kWeightBits = 7;  ///< Weights of interpolation are in unit
 inline constexpr int kTapsPerGroup = 8;
 inline constexpr int kTapReach = 16;  ///< Source pixels from which the taps of a group read.
 
-/// Linear interpolation at up to 8 neighbouring targets: target + i takes the source pixels
-/// base + first[2 i] and base + second[2 i], the second with weight[i], 0 to 2^7 - 1, and the first
-/// with the rest to 2^7. The odd bytes are 0x80.
-struct alignas(16) TapGroup {
-  std::uint8_t first[kTapReach];
-  std::uint8_t second[kTapReach];
-  std::int16_t weight[kTapsPerGroup];
-  std::int32_t base;    ///< The source has kTapReach pixels from it on.
-  std::int32_t target;  ///< Groups are in ascending order of it, and later ones write over earlier.
+/// Linear interpolation at a row of targets, 8 to a group: target 8 g + i takes the source pixels
+/// bases[g] + first[16 g + 2 i] and bases[g] + second[16 g + 2 i], the second with weights[8 g +
+/// i], 0 to 2^7 - 1, and the first with the rest to 2^7. The odd bytes are 0x80.
+struct TapGroups {
+  int count;
+  const std::uint8_t* first;
+  const std::uint8_t* second;
+  const std::int16_t* weights;
+  const std::int32_t* bases;
 };
 
-/// Interpolates a row of pixels: `targets`, in units of 2^-7 grey levels, has room for
-/// kTapsPerGroup from every group's target on.
-void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
-                    std::int16_t* targets);
+/// Interpolates a row of pixels, in units of 2^-7 grey levels: 8 targets for every group. No tap is
+/// kTapReach or more from its base, and the source has kTapReach pixels from every base on; the
+/// scalar twin needs neither.
+void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets);
 
 /// Rounds (2^7 - weight) a + weight b, halfway up, to whole grey levels. a and b are in units of
 /// 2^-7, 0 to 255 * 2^7; `weight` is 0 to 2^7 - 1.
@@ -30,8 +30,7 @@ void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int wid
                std::uint8_t* blended);
 
 namespace scalar {
-void InterpolateRow(const std::uint8_t* source, const TapGroup* groups, int num_groups,
-                    std::int16_t* targets);
+void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets);
 void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int width,
                std::uint8_t* blended);
 }  // namespace scalar

@@ -8,27 +8,26 @@ namespace corvo::orb::kernels {
 namespace {
 
 TEST(InterpolateRowTest, IsItsScalarTwin) {
+  constexpr int kCount = 43;
   std::mt19937 random(1);
-  std::vector<TapGroup> groups(40);
-  for (int g = 0; g < 40; ++g) {
-    TapGroup& group = groups[g];
-    for (int i = 0; i < kTapReach; ++i) {
-      group.first[i] = i % 2 == 0 ? random() % kTapReach : 0x80;
-      group.second[i] = i % 2 == 0 ? random() % kTapReach : 0x80;
-    }
-    for (std::int16_t& weight : group.weight) weight = static_cast<std::int16_t>(random() % 128);
-    group.base = g * 9;
-    group.target = g * 7;
-  }
+  std::vector<std::uint8_t> first(kCount * kTapReach, 0x80);
+  std::vector<std::uint8_t> second = first;
+  std::vector<std::int16_t> weights(kCount * kTapsPerGroup);
+  std::vector<std::int32_t> bases(kCount);
+  for (int i = 0; i < kCount * kTapReach; i += 2) first[i] = random() % kTapReach;
+  for (int i = 0; i < kCount * kTapReach; i += 2) second[i] = random() % kTapReach;
+  for (std::int16_t& weight : weights) weight = static_cast<std::int16_t>(random() % 128);
+  for (int g = 0; g < kCount; ++g) bases[g] = 9 * g;
+  const TapGroups groups{kCount, first.data(), second.data(), weights.data(), bases.data()};
   test::ForEveryInstructionSet([&] {
     for (unsigned seed = 0; seed < 20; ++seed) {
-      auto source = test::RandomBytes(39 * 9 + kTapReach, seed);
+      auto source = test::RandomBytes((kCount - 1) * 9 + kTapReach, seed);
       for (std::uint8_t& grey : source) grey = static_cast<std::uint8_t>(grey < 50 ? 0 : grey | 15);
-      std::vector<std::int16_t> targets(39 * 7 + kTapsPerGroup);
-      std::vector<std::int16_t> expected = targets;
-      InterpolateRow(source.data(), groups.data(), 40, targets.data());
-      scalar::InterpolateRow(source.data(), groups.data(), 40, expected.data());
-      ASSERT_EQ(targets, expected);
+      std::vector<std::int16_t> row(kCount * kTapsPerGroup);
+      std::vector<std::int16_t> expected = row;
+      InterpolateRow(source.data(), groups, row.data());
+      scalar::InterpolateRow(source.data(), groups, expected.data());
+      ASSERT_EQ(row, expected);
     }
   });
 }
