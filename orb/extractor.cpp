@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "orb/apportion.h"
 #include "orb/error.h"
-#include "orb/grid.h"
 #include "orb/level_extractor.h"
 #include "orb/orientation.h"
 #include "orb/pyramid.h"
@@ -48,18 +48,6 @@ ExtractorOptions Validated(const ExtractorOptions& options) {
 int WantedFeatures(const ExtractorOptions& options, int image_width) {
   if (options.num_features > 0) return options.num_features;
   return image_width >= 1000 ? 2000 : 1000;
-}
-
-/// Quotas of the levels, by area inside the border.
-std::vector<int> LevelQuotas(const std::vector<PyramidLevel>& levels,
-                             const std::vector<LevelExtractor>& extractors, int wanted) {
-  std::vector<std::int64_t> areas;
-  std::vector<int> counts;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    areas.push_back(std::int64_t{InsideBorder(levels[i].image).area()});
-    counts.push_back(extractors[i].num_corners());
-  }
-  return Apportion(wanted, areas, counts);
 }
 
 /// The nearest pixel of the level, if a keypoint there can be described.
@@ -129,12 +117,30 @@ void Concatenate(const std::vector<LevelExtractor>& levels, Features& all) {
 /// What one call of Extract() works in.
 struct Buffers {
   Buffers(const std::vector<double>& octave_scales, int threads)
-      : pyramid(octave_scales), levels(octave_scales.size()), workers(threads) {}
+      : pyramid(octave_scales),
+        levels(octave_scales.size()),
+        areas(octave_scales.size()),
+        num_corners(octave_scales.size()),
+        quotas(octave_scales.size()),
+        workers(threads) {}
 
   Pyramid pyramid;
   std::vector<LevelExtractor> levels;
+  std::vector<std::int64_t> areas;  ///< Of the levels, inside the border.
+  std::vector<int> num_corners;
+  std::vector<int> quotas;
   Workers workers;
 };
+
+/// Shares the wanted number of features out to the levels, by area inside the border.
+void SetQuotas(int wanted, Buffers& buffers) {
+  const std::vector<PyramidLevel>& levels = buffers.pyramid.levels();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    buffers.areas[i] = std::int64_t{InsideBorder(levels[i].image).area()};
+    buffers.num_corners[i] = buffers.levels[i].num_corners();
+  }
+  Apportion(wanted, buffers.areas, buffers.num_corners, buffers.quotas);
+}
 
 /// Lends buffers, made when there are none left.
 class BufferPool {
@@ -175,18 +181,18 @@ Features Extractor::Extract(const cv::Mat& image, const cv::Mat& mask) const {
 void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& features) const {
   CheckInput(image, mask);
   std::unique_ptr<Buffers> buffers = buffers_->Take(octave_scales_, threads_);
-  auto& [pyramid, extractors, workers] = *buffers;
-  pyramid.Build(image, workers);
-  const std::vector<PyramidLevel>& levels = pyramid.levels();
+  buffers->pyramid.Build(image, buffers->workers);
+  const std::vector<PyramidLevel>& levels = buffers->pyramid.levels();
+  std::vector<LevelExtractor>& extractors = buffers->levels;
   const int num_levels = static_cast<int>(levels.size());
-  workers.ForEach(num_levels, [&](int i) { extractors[i].Detect(levels[i], mask, options_); });
-  const int wanted = WantedFeatures(options_, image.cols);
-  const std::vector<int> quotas = LevelQuotas(levels, extractors, wanted);
-  workers.ForEach(num_levels, [&](int i) {
-    extractors[i].Describe(levels[i], i, quotas[i], options_, describer_);
+  buffers->workers.ForEach(num_levels,
+                           [&](int i) { extractors[i].Detect(levels[i], mask, options_); });
+  SetQuotas(WantedFeatures(options_, image.cols), *buffers);
+  buffers->workers.ForEach(num_levels, [&](int i) {
+    extractors[i].Describe(levels[i], i, buffers->quotas[i], options_, describer_);
   });
   Concatenate(extractors, features);
-  pyramid.ReleaseInput();
+  buffers->pyramid.ReleaseInput();
   buffers_->Return(std::move(buffers));
 }
 

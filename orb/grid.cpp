@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -13,7 +14,7 @@ CornerRank RankOf(const Corner& corner, std::size_t index) {
          static_cast<std::uint32_t>(~index);
 }
 
-std::uint32_t IndexOf(CornerRank rank) { return ~static_cast<std::uint32_t>(rank); }
+int IndexOf(CornerRank rank) { return static_cast<int>(~static_cast<std::uint32_t>(rank)); }
 
 /// Number of cells of about `cell_size` that a length is divided into.
 int NumCells(int length, int cell_size) {
@@ -22,42 +23,14 @@ int NumCells(int length, int cell_size) {
 
 }  // namespace
 
-std::vector<int> Apportion(int total, std::span<const std::int64_t> weights,
-                           std::span<const int> capacities) {
-  std::vector<int> shares(weights.size(), 0);
-  std::vector<int> open(weights.size());
-  std::iota(open.begin(), open.end(), 0);
-  std::int64_t left = total;
-  std::int64_t weight_sum = 0;
-  const auto share_of = [&](int i) { return left * weights[i] / weight_sum; };
-  for (bool settled = false; !settled && !open.empty();) {
-    weight_sum = 0;
-    for (const int i : open) weight_sum += std::max<std::int64_t>(weights[i], 1);
-    const auto full = std::stable_partition(open.begin(), open.end(),
-                                            [&](int i) { return share_of(i) < capacities[i]; });
-    settled = full == open.end();
-    for (auto i = full; i != open.end(); ++i) left -= shares[*i] = capacities[*i];
-    open.erase(full, open.end());
-  }
-  if (open.empty()) return shares;
-  std::int64_t rest = left;
-  for (const int i : open) rest -= shares[i] = static_cast<int>(share_of(i));
-  std::stable_sort(open.begin(), open.end(), [&](int a, int b) {
-    return left * weights[a] % weight_sum > left * weights[b] % weight_sum;
-  });
-  for (std::int64_t k = 0; k < rest; ++k) ++shares[open[k]];
-  return shares;
-}
-
-void GridSelector::SortIntoCells(std::span<const Corner> corners, const cv::Rect& area,
-                                 int cell_size) {
+void GridSelector::FindCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size) {
   const int columns = NumCells(area.width, cell_size);
   const int rows = NumCells(area.height, cell_size);
   column_of_x_.resize(area.width);
   for (int i = 0; i < area.width; ++i) {
     column_of_x_[i] = static_cast<int>(std::int64_t{i} * columns / area.width);
   }
-  cell_ends_.assign(static_cast<std::size_t>(columns) * rows, 0);
+  best_.assign(static_cast<std::size_t>(columns) * rows, 0);
   cell_of_.resize(corners.size());
   int y = -1;
   int row_start = 0;
@@ -67,8 +40,13 @@ void GridSelector::SortIntoCells(std::span<const Corner> corners, const cv::Rect
       row_start = static_cast<int>(std::int64_t{y - area.y} * rows / area.height) * columns;
     }
     cell_of_[i] = row_start + column_of_x_[corners[i].x - area.x];
-    ++cell_ends_[cell_of_[i]];
+    best_[cell_of_[i]] = std::max(best_[cell_of_[i]], RankOf(corners[i], i));
   }
+}
+
+void GridSelector::GroupByCell(std::span<const Corner> corners) {
+  cell_ends_.assign(best_.size(), 0);
+  for (const int cell : cell_of_) ++cell_ends_[cell];
   std::exclusive_scan(cell_ends_.begin(), cell_ends_.end(), cell_ends_.begin(), 0);
   members_.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -96,42 +74,40 @@ int GridSelector::FullRounds(int quota) {
   return rounds;
 }
 
-int GridSelector::MarkRounds(int rounds) {
-  int marked = 0;
-  next_.clear();
+void GridSelector::TakeRounds(int rounds, std::vector<int>& chosen) {
   auto begin = members_.begin();
   for (const int cell_end : cell_ends_) {
     const auto end = members_.begin() + cell_end;
     const auto count = std::min<std::ptrdiff_t>(rounds, end - begin);
-    const bool has_next = count < end - begin;
-    if (has_next) {
+    if (count < end - begin) {
       std::partial_sort(begin, begin + count + 1, end, std::greater<>());
       next_.push_back(begin[count]);
     }
-    for (auto member = begin; member != begin + count; ++member) is_chosen_[IndexOf(*member)] = 1;
-    marked += static_cast<int>(count);
+    std::transform(begin, begin + count, std::back_inserter(chosen), IndexOf);
     begin = end;
   }
-  return marked;
 }
 
-void GridSelector::MarkNext(int count) {
+void GridSelector::TakeNext(int count, std::vector<int>& chosen) {
   const auto end = next_.begin() + std::min<std::ptrdiff_t>(count, std::ssize(next_));
   std::nth_element(next_.begin(), end, next_.end(), std::greater<>());
-  std::for_each(next_.begin(), end, [&](CornerRank rank) { is_chosen_[IndexOf(rank)] = 1; });
+  std::transform(next_.begin(), end, std::back_inserter(chosen), IndexOf);
 }
 
 void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
                           int quota, std::vector<int>& chosen) {
   chosen.clear();
   if (quota <= 0 || corners.empty()) return;
-  is_chosen_.assign(corners.size(), 0);
-  SortIntoCells(corners, area, cell_size);
-  const int marked = MarkRounds(FullRounds(quota));
-  MarkNext(quota - marked);
-  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-    if (is_chosen_[i] != 0) chosen.push_back(i);
+  FindCells(corners, area, cell_size);
+  next_.clear();
+  std::copy_if(best_.begin(), best_.end(), std::back_inserter(next_), std::identity());
+  if (std::ssize(next_) <= quota) {  // There is room for a round of all cells at least.
+    next_.clear();
+    GroupByCell(corners);
+    TakeRounds(FullRounds(quota), chosen);
   }
+  TakeNext(quota - static_cast<int>(chosen.size()), chosen);
+  std::sort(chosen.begin(), chosen.end());
 }
 
 std::vector<int> SelectInGrid(std::span<const Corner> corners, const cv::Rect& area, int cell_size,

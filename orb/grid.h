@@ -10,12 +10,6 @@
 
 namespace corvo::orb {
 
-/// Shares `total` out in proportion to `weights`, no share above its capacity. What one cannot take
-/// goes to the others in proportion; the shares sum to min(total, sum of capacities). Rounding is
-/// by largest remainder, ties to the lower index. Weights are positive where capacities are.
-std::vector<int> Apportion(int total, std::span<const std::int64_t> weights,
-                           std::span<const int> capacities);
-
 /// A corner's score above the complement of its index: the higher goes first.
 using CornerRank = std::uint64_t;
 
@@ -31,24 +25,24 @@ class GridSelector {
               std::vector<int>& chosen);
 
  private:
-  /// Groups the corners' indices by cell.
-  void SortIntoCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size);
+  /// Sets the cell of each corner, and the best corner of each cell.
+  void FindCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size);
+  /// Groups the corners by cell.
+  void GroupByCell(std::span<const Corner> corners);
   /// The largest k for which the k best of every cell are at most `quota` together.
   int FullRounds(int quota);
-  /// Marks the `rounds` best of every cell, and collects those that come next. Returns how many
-  /// were marked.
-  int MarkRounds(int rounds);
-  /// Marks the best `count` of those collected.
-  void MarkNext(int count);
+  /// Appends the `rounds` best of every cell to `chosen`, and collects those that come next.
+  void TakeRounds(int rounds, std::vector<int>& chosen);
+  /// Appends the best `count` of those collected.
+  void TakeNext(int count, std::vector<int>& chosen);
 
   std::vector<int> column_of_x_;  ///< Cell column of area.x + i.
   std::vector<int> cell_of_;      ///< By corner.
+  std::vector<CornerRank> best_;  ///< By cell; 0 where it is empty.
   std::vector<int> cell_ends_;
-  /// By cell: the members of c end where those of c + 1 begin.
-  std::vector<CornerRank> members_;
+  std::vector<CornerRank> members_;  ///< Those of a cell end where those of the next begin.
   std::vector<int> cells_with_more_;
   std::vector<CornerRank> next_;
-  std::vector<std::uint8_t> is_chosen_;
 };
 
 /// As GridSelector.

@@ -72,15 +72,38 @@ HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& of
   return hn::Max(hn::SaturatedSub(brightest, centre), hn::SaturatedSub(centre, darkest));
 }
 
+/// Whether any of a block's pixels may have an arc of 9 of contrast above the threshold: such an
+/// arc holds one pixel at least of every two opposite ones.
+HWY_INLINE bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& circle,
+                              Lanes threshold) {
+  const Tag d;
+  const Lanes centre = hn::LoadU(d, pixels);
+  Lanes above = hn::Set(d, 255);
+  Lanes below = hn::Zero(d);
+  for (int k = 0; k < kHalfCircle; k += 2) {
+    const Lanes a = hn::LoadU(d, pixels + circle[k]);
+    const Lanes b = hn::LoadU(d, pixels + circle[k + kHalfCircle]);
+    above = hn::Min(above, hn::Max(a, b));
+    below = hn::Max(below, hn::Min(a, b));
+  }
+  const Lanes bound = hn::Max(hn::SaturatedSub(above, centre), hn::SaturatedSub(centre, below));
+  return !hn::AllFalse(d, hn::Gt(bound, threshold));
+}
+
 void ScoreFastRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, int width,
                   int threshold, std::uint8_t* HWY_RESTRICT scores) {
   const Tag d;
   const int step = static_cast<int>(hn::Lanes(d));
   if (width < step) return scalar::ScoreFastRow(row, stride, width, threshold, scores);
   const CircleOffsets circle = MakeCircle(stride);
+  const bool is_high = threshold >= 12;  // Below, most blocks have a candidate: no use in looking.
   const Lanes threshold_lanes = hn::Set(d, static_cast<std::uint8_t>(threshold));
   for (int begin = 0; begin < width; begin += step) {
     const int x = std::min(begin, width - step);
+    if (is_high && !MayHaveCorner(row + x, circle, threshold_lanes)) {
+      hn::StoreU(hn::Zero(d), d, scores + x);
+      continue;
+    }
     const Lanes contrast = ArcContrast(row + x, circle);
     const auto is_corner = hn::Gt(contrast, threshold_lanes);
     const Lanes score = hn::IfThenElseZero(is_corner, hn::Sub(contrast, hn::Set(d, 1)));
