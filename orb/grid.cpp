@@ -1,8 +1,10 @@
 #include "orb/grid.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -15,6 +17,27 @@ CornerRank RankOf(const Corner& corner, std::size_t index) {
 }
 
 int IndexOf(CornerRank rank) { return static_cast<int>(~static_cast<std::uint32_t>(rank)); }
+
+/// The highest rank below `bound`, 0 if there is none. Ranks differ.
+CornerRank BestBelow(CornerRank bound, std::span<const CornerRank> ranks) {
+  CornerRank best = 0;
+  for (const CornerRank rank : ranks) best = std::max(best, rank < bound ? rank : 0);
+  return best;
+}
+
+/// Sets the first `count` ranks to the best, in order; the others may be lost.
+void PutBestFirst(std::span<CornerRank> ranks, std::ptrdiff_t count) {
+  constexpr std::ptrdiff_t kFew = 4;
+  if (count > kFew) {
+    std::partial_sort(ranks.begin(), ranks.begin() + count, ranks.end(), std::greater<>());
+    return;
+  }
+  // To look through them again and again takes no branches that are hard to guess.
+  std::array<CornerRank, kFew> best{};
+  CornerRank bound = std::numeric_limits<CornerRank>::max();
+  for (std::ptrdiff_t i = 0; i < count; ++i) best[i] = bound = BestBelow(bound, ranks);
+  std::copy_n(best.begin(), count, ranks.begin());
+}
 
 /// Number of cells of about `cell_size` that a length is divided into.
 int NumCells(int length, int cell_size) {
@@ -80,7 +103,7 @@ void GridSelector::TakeRounds(int rounds, std::vector<int>& chosen) {
     const auto end = members_.begin() + cell_end;
     const auto count = std::min<std::ptrdiff_t>(rounds, end - begin);
     if (count < end - begin) {
-      std::partial_sort(begin, begin + count + 1, end, std::greater<>());
+      PutBestFirst({begin, end}, count + 1);
       next_.push_back(begin[count]);
     }
     std::transform(begin, begin + count, std::back_inserter(chosen), IndexOf);

@@ -87,6 +87,44 @@ TEST(SelectInGridTest, PicksExactlyTheQuotaOrAll) {
   }
 }
 
+/// The definition, one corner after another: rounds over the cells while a whole round fits, then
+/// the best of those next in their cells.
+std::vector<int> NaiveSelection(const std::vector<Corner>& corners, int columns, int cell_size,
+                                int quota) {
+  const auto is_better = [&](int a, int b) {
+    return std::pair(-corners[a].score, a) < std::pair(-corners[b].score, b);
+  };
+  std::map<int, std::vector<int>> cells;
+  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+    cells[corners[i].y / cell_size * columns + corners[i].x / cell_size].push_back(i);
+  }
+  for (auto& [cell, members] : cells) std::sort(members.begin(), members.end(), is_better);
+  std::vector<int> chosen;
+  for (std::size_t round = 0;; ++round) {
+    std::vector<int> next;
+    for (const auto& [cell, members] : cells) {
+      if (round < members.size()) next.push_back(members[round]);
+    }
+    std::sort(next.begin(), next.end(), is_better);
+    next.resize(std::min(next.size(), quota - chosen.size()));
+    if (next.empty()) break;
+    chosen.insert(chosen.end(), next.begin(), next.end());
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+TEST(SelectInGridTest, IsTheDefinition) {
+  const cv::Rect area(0, 0, 160, 96);  // 5 x 3 cells of exactly 32 px
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto corners = RandomCorners(area, 400, seed);
+    for (const int quota : {1, 10, 15, 16, 30, 50, 61, 80, 120, 200, 390, 500}) {
+      EXPECT_EQ(SelectInGrid(corners, area, 32, quota), NaiveSelection(corners, 5, 32, quota))
+          << "seed " << seed << ", quota " << quota;
+    }
+  }
+}
+
 TEST(SelectInGridTest, NoCellGoesShortWhileAnotherIsFavoured) {
   const cv::Rect area(0, 0, 320, 160);  // 10 x 5 cells of exactly 32 px
   const auto corners = RandomCorners(area, 1500, 3);
