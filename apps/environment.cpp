@@ -39,7 +39,7 @@ double PeakMemoryMb() {
 
 }  // namespace
 
-nlohmann::ordered_json DescribeEnvironment(int threads, double elapsed_s) {
+nlohmann::ordered_json DescribeMachine() {
   nlohmann::ordered_json json;
   json["corvo"] = CORVO_VERSION;
   json["opencv"] = CV_VERSION;
@@ -50,6 +50,11 @@ nlohmann::ordered_json DescribeEnvironment(int threads, double elapsed_s) {
   json["build_type"] = CORVO_BUILD_TYPE;
   json["cpu"] = CpuModel();
   json["cpu_threads"] = std::thread::hardware_concurrency();
+  return json;
+}
+
+nlohmann::ordered_json DescribeEnvironment(int threads, double elapsed_s) {
+  nlohmann::ordered_json json = DescribeMachine();
   json["threads"] = threads;
   json["peak_memory_mb"] = PeakMemoryMb();
   json["elapsed_s"] = elapsed_s;

@@ -4,8 +4,10 @@
 
 namespace corvo {
 
-/// What a result does not depend on but its timings do: versions, compiler, processor, `threads`,
-/// peak memory of this process, `elapsed_s`.
+/// What a result does not depend on but its timings do: versions, compiler, processor.
+nlohmann::ordered_json DescribeMachine();
+
+/// The same and, of a run, `threads`, peak memory of this process, `elapsed_s`.
 nlohmann::ordered_json DescribeEnvironment(int threads, double elapsed_s);
 
 }  // namespace corvo

@@ -8,23 +8,11 @@
 #include <system_error>
 
 namespace corvo::test {
-namespace {
 
-bool IsSet(const char* variable) {
-  const char* value = ::getenv(variable);
-  return value && *value;
+bool DataIsRequired() {
+  const char* ci = ::getenv("CI");
+  return ci && *ci;
 }
-
-}  // namespace
-
-std::filesystem::path SourceDir() { return CORVO_SOURCE_DIR; }
-
-std::filesystem::path DataPath(const std::filesystem::path& relative) {
-  if (IsSet("CORVO_DATA")) return std::filesystem::path(::getenv("CORVO_DATA")) / relative;
-  return SourceDir().parent_path() / "shared" / "data" / relative;
-}
-
-bool DataIsRequired() { return IsSet("CI"); }
 
 TemporaryDir::TemporaryDir() {
   std::string pattern = ::testing::TempDir() + "/corvo_test_XXXXXX";

@@ -5,14 +5,9 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/data_path.h"
+
 namespace corvo::test {
-
-/// Root of the project's sources.
-std::filesystem::path SourceDir();
-
-/// A file or folder of the test data: below $CORVO_DATA, or `../shared/data` seen from the
-/// project's root. It may not exist.
-std::filesystem::path DataPath(const std::filesystem::path& relative);
 
 /// Where $CI is set, missing data is a failure, elsewhere a visible skip.
 bool DataIsRequired();

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace corvo::bench {
+
+/// Processor time of the calling thread, ms. What else the machine does while it waits is not in
+/// it.
+double ThreadTimeMs();
+
+/// Time since some moment, ms.
+double WallTimeMs();
+
+}  // namespace corvo::bench

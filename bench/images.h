@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+namespace corvo::bench {
+
+/// Grey pictures of one size, made when they are first asked for and then kept.
+class ImageSet {
+ public:
+  using Maker = std::function<std::vector<cv::Mat>(int count)>;
+
+  /// `folder` of the test data has what `read` reads; without it the pictures are `render`ed.
+  ImageSet(std::string name, int count, std::string folder, Maker read, Maker render);
+
+  const std::string& name() const { return name_; }
+  int count() const { return count_; }
+
+  /// The folder of the test data, or "synthetic".
+  std::string Source() const;
+
+  /// The vector stays the same. Throws corvo::Error where a picture cannot be read.
+  const std::vector<cv::Mat>& Images();
+
+ private:
+  bool FolderExists() const;
+
+  std::string name_;
+  int count_;
+  std::string folder_;
+  Maker read_;
+  Maker render_;
+  std::vector<cv::Mat> images_;
+};
+
+/// The sizes that are measured.
+struct ImageSets {
+  ImageSet vga;      ///< 640x480: 7-Scenes, hand-held.
+  ImageSet kitti;    ///< 1242x375: KITTI 03, a drive.
+  ImageSet euroc;    ///< 752x480: EuRoC MH_01, a drone.
+  ImageSet full_hd;  ///< 1920x1080: mosaics of Oxford's pictures at their own resolution.
+};
+
+/// Up to `max_count` pictures of each size, spread over the sequences.
+ImageSets MakeImageSets(int max_count);
+
+}  // namespace corvo::bench

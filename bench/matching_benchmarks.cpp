@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <opencv2/features2d.hpp>
+
+#include "bench/benchmarks.h"
+#include "bench/comparison.h"
+#include "orb/error.h"
+#include "orb/extractor.h"
+#include "orb/kernels/instruction_sets.h"
+#include "orb/matcher.h"
+#include "orb/opencv.h"
+
+namespace corvo::bench {
+namespace {
+
+constexpr int kNumFeatures = 2000;
+constexpr int kMaxPictures = 10;
+
+/// The descriptors of one picture.
+struct Described {
+  std::vector<orb::Descriptor> corvo;
+  cv::Mat opencv;
+};
+
+using DescribedPictures = std::vector<Described>;
+
+std::shared_ptr<const DescribedPictures> DescribePictures(const std::vector<cv::Mat>& images,
+                                                          int count) {
+  orb::ExtractorOptions options;
+  options.num_features = kNumFeatures;
+  orb::Extractor extractor(options);
+  const auto described = std::make_shared<DescribedPictures>();
+  for (int i = 0; i < count; ++i) {
+    const std::vector<orb::Descriptor> descriptors = extractor.Extract(images[i]).descriptors;
+    described->push_back({descriptors, orb::ToDescriptorMat(descriptors)});
+  }
+  return described;
+}
+
+/// The picture that a picture's descriptors are looked for in: the next one, the first at the end.
+const Described& Next(const DescribedPictures& pictures, std::size_t item) {
+  return pictures[(item + 1) % pictures.size()];
+}
+
+std::vector<orb::Nearest> FindWithCorvo(const DescribedPictures& pictures, std::size_t item) {
+  return orb::FindNearest(pictures[item].corvo, Next(pictures, item).corvo);
+}
+
+using OpenCvMatches = std::vector<std::vector<cv::DMatch>>;
+
+void FindWithOpenCv(const DescribedPictures& pictures, std::size_t item, OpenCvMatches& matches) {
+  matches.clear();  // knnMatch appends.
+  const cv::BFMatcher matcher(cv::NORM_HAMMING);
+  matcher.knnMatch(pictures[item].opencv, Next(pictures, item).opencv, matches, 2);
+}
+
+bool HasDistances(const orb::Nearest& nearest, const std::vector<cv::DMatch>& matches) {
+  return matches.size() == 2 && static_cast<int>(matches[0].distance) == nearest.distance &&
+         static_cast<int>(matches[1].distance) == nearest.second_distance;
+}
+
+void CheckEqualDistances(const DescribedPictures& pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::vector<orb::Nearest> nearest = FindWithCorvo(pictures, i);
+    OpenCvMatches matches;
+    FindWithOpenCv(pictures, i, matches);
+    if (std::equal(nearest.begin(), nearest.end(), matches.begin(), matches.end(), HasDistances)) {
+      continue;
+    }
+    throw Error("picture " + std::to_string(i) + ": distances are not those of cv::BFMatcher");
+  }
+}
+
+Contenders PrepareMatching(ImageSet& set, int count) {
+  const auto pictures = DescribePictures(set.Images(), count);
+  CheckEqualDistances(*pictures);
+  const Work corvo = [pictures](int item) { return FindWithCorvo(*pictures, item).size(); };
+  const Work opencv = [pictures, matches = OpenCvMatches()](int item) mutable {
+    FindWithOpenCv(*pictures, item, matches);
+    return matches.size();
+  };
+  return {corvo, opencv, set.Source()};
+}
+
+}  // namespace
+
+void RegisterMatching(ImageSets& images, int repeats) {
+  const int count = std::min(images.kitti.count(), kMaxPictures);
+  const Comparison comparison = {
+      "2000 descriptors, two nearest of 2000, against cv::BFMatcher", count, 1,
+      [&set = images.kitti, count] { return PrepareMatching(set, count); }};
+  for (const std::string& instruction_set : orb::kernels::InstructionSets()) {
+    Register(comparison, instruction_set, repeats);
+  }
+}
+
+}  // namespace corvo::bench
