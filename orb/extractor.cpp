@@ -102,16 +102,6 @@ std::vector<int> OrderByRow(std::span<const Keypoint> keypoints) {
   return order;
 }
 
-void Concatenate(const std::vector<LevelExtractor>& levels, Features& all) {
-  all.keypoints.clear();
-  all.descriptors.clear();
-  for (const LevelExtractor& level : levels) {
-    const Features& part = level.features();
-    all.keypoints.insert(all.keypoints.end(), part.keypoints.begin(), part.keypoints.end());
-    all.descriptors.insert(all.descriptors.end(), part.descriptors.begin(), part.descriptors.end());
-  }
-}
-
 }  // namespace
 
 /// What one call of Extract() works in.
@@ -122,6 +112,7 @@ struct Buffers {
         areas(octave_scales.size()),
         num_corners(octave_scales.size()),
         quotas(octave_scales.size()),
+        starts(octave_scales.size()),
         workers(threads) {}
 
   Pyramid pyramid;
@@ -129,6 +120,7 @@ struct Buffers {
   std::vector<std::int64_t> areas;  ///< Of the levels, inside the border.
   std::vector<int> num_corners;
   std::vector<int> quotas;
+  std::vector<int> starts;  ///< Of the levels' features.
   Workers workers;
 };
 
@@ -140,6 +132,7 @@ void SetQuotas(int wanted, Buffers& buffers) {
     buffers.num_corners[i] = buffers.levels[i].num_corners();
   }
   Apportion(wanted, buffers.areas, buffers.num_corners, buffers.quotas);
+  std::exclusive_scan(buffers.quotas.begin(), buffers.quotas.end(), buffers.starts.begin(), 0);
 }
 
 /// Lends buffers, made when there are none left.
@@ -188,10 +181,16 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
   buffers->workers.ForEach(num_levels,
                            [&](int i) { extractors[i].Detect(levels[i], mask, options_); });
   SetQuotas(WantedFeatures(options_, image.cols), *buffers);
+  const int num_features = buffers->starts.back() + buffers->quotas.back();
+  features.keypoints.resize(num_features);
+  features.descriptors.resize(num_features);
   buffers->workers.ForEach(num_levels, [&](int i) {
-    extractors[i].Describe(levels[i], i, buffers->quotas[i], options_, describer_);
+    const std::size_t start = buffers->starts[i];
+    const std::size_t count = buffers->quotas[i];
+    extractors[i].Describe(levels[i], i, options_, describer_,
+                           std::span(features.keypoints).subspan(start, count),
+                           std::span(features.descriptors).subspan(start, count));
   });
-  Concatenate(extractors, features);
   buffers->pyramid.ReleaseInput();
   buffers_->Return(std::move(buffers));
 }

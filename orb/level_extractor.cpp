@@ -44,22 +44,23 @@ void LevelExtractor::Detect(const PyramidLevel& level, const cv::Mat& mask,
   }
 }
 
-void LevelExtractor::Describe(const PyramidLevel& level, int octave, int quota,
-                              const ExtractorOptions& options, const Describer& describer) {
+void LevelExtractor::Describe(const PyramidLevel& level, int octave,
+                              const ExtractorOptions& options, const Describer& describer,
+                              std::span<Keypoint> keypoints, std::span<Descriptor> descriptors) {
+  const int quota = static_cast<int>(keypoints.size());
   if (options.grid) {
     selector_.Select(corners_, InsideBorder(level.image), options.cell_size_px, quota, chosen_);
   } else {
     SelectStrongest(corners_, quota, chosen_);
   }
-  features_.keypoints.clear();
-  features_.descriptors.clear();
+  for (int i = 0; i < quota; ++i) {
+    keypoints[i] = MakeKeypoint(level, octave, corners_[chosen_[i]], options.ranking);
+  }
   sums_.Start(level.image);
-  for (const int i : chosen_) {
-    const Corner& corner = corners_[i];
-    const Keypoint keypoint = MakeKeypoint(level, octave, corner, options.ranking);
-    features_.keypoints.push_back(keypoint);
-    features_.descriptors.push_back(
-        describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), keypoint.angle_deg));
+  for (int i = 0; i < quota; ++i) {
+    const Corner& corner = corners_[chosen_[i]];
+    descriptors[i] =
+        describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), keypoints[i].angle_deg);
   }
 }
 

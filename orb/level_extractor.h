@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -25,12 +26,11 @@ class LevelExtractor {
 
   int num_corners() const { return static_cast<int>(corners_.size()); }
 
-  /// Makes features of at most `quota` of the corners, in row-major order. `level` is the one they
-  /// were found in.
-  void Describe(const PyramidLevel& level, int octave, int quota, const ExtractorOptions& options,
-                const Describer& describer);
-
-  const Features& features() const { return features_; }
+  /// Selects as many corners as there is room for, no more than num_corners(), and sets their
+  /// keypoints and descriptors, in row-major order. `level` is the one they were found in.
+  void Describe(const PyramidLevel& level, int octave, const ExtractorOptions& options,
+                const Describer& describer, std::span<Keypoint> keypoints,
+                std::span<Descriptor> descriptors);
 
  private:
   FastDetector detector_;
@@ -38,7 +38,6 @@ class LevelExtractor {
   GridSelector selector_;
   std::vector<int> chosen_;
   WindowSumBand sums_;
-  Features features_;
 };
 
 }  // namespace corvo::orb

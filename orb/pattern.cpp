@@ -121,7 +121,8 @@ RotatedPatterns::RotatedPatterns(const Pattern& pattern, int bins) {
 }
 
 int RotatedPatterns::NearestBin(float angle_deg) const {
-  return RoundHalfUp(static_cast<double>(angle_deg) * bins() / 360.0) % bins();
+  const int bin = RoundHalfUp(static_cast<double>(angle_deg) * bins() / 360.0);
+  return bin == bins() ? 0 : bin;
 }
 
 }  // namespace corvo::orb
