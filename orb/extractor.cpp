@@ -13,6 +13,7 @@
 #include "orb/error.h"
 #include "orb/level_extractor.h"
 #include "orb/orientation.h"
+#include "orb/pattern_file.h"
 #include "orb/pyramid.h"
 #include "orb/rounding.h"
 #include "orb/window_sums.h"
@@ -160,7 +161,7 @@ Extractor::Extractor(const ExtractorOptions& options, int threads)
     : options_(Validated(options)),
       threads_(threads),
       octave_scales_(OctaveScales(options.num_levels, options.scale_factor)),
-      describer_(MakeBriefPattern(), options.orientation_bins, options.upright),
+      describer_(LoadPattern(options.pattern), options.orientation_bins, options.upright),
       buffers_(std::make_shared<BufferPool>()) {
   CheckRange("threads", threads, 1, 256);
 }

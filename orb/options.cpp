@@ -3,6 +3,7 @@
 #include <string>
 
 #include "orb/error.h"
+#include "orb/pattern_file.h"
 
 namespace corvo::orb {
 namespace {
@@ -16,6 +17,14 @@ struct CheckField {
   template <typename T>
   void operator()(std::string_view, const T&, std::string_view) const {}
 };
+
+void CheckPattern(const std::string& pattern) {
+  try {
+    LoadPattern(pattern);
+  } catch (const Error& error) {
+    throw Error(std::string("pattern: ") + error.what());
+  }
+}
 
 }  // namespace
 
@@ -32,6 +41,7 @@ Ranking ParseRanking(std::string_view name) {
 void ExtractorOptions::Validate() const {
   Visit(*this, CheckField{});
   CheckRange("min_fast_threshold", min_fast_threshold, 1, fast_threshold);
+  CheckPattern(pattern);
 }
 
 }  // namespace corvo::orb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace corvo::orb {
@@ -27,13 +28,14 @@ struct ExtractorOptions {
   int cell_size_px = 24;
   int orientation_bins = 30;
   bool upright = false;
+  std::string pattern = "brief";
 
-  /// Throws corvo::Error naming the first field out of range, or min_fast_threshold where it
-  /// exceeds fast_threshold.
+  /// Throws corvo::Error naming the first field out of range, min_fast_threshold where it exceeds
+  /// fast_threshold, or pattern where LoadPattern() throws.
   void Validate() const;
 
   /// Calls `field(name, value, min, max, meaning)` for numbers, `field(name, value, meaning)` for
-  /// booleans and enumerations, in order. `Self` is `ExtractorOptions` or its const.
+  /// booleans, enumerations and texts, in order. `Self` is `ExtractorOptions` or its const.
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("num_features", self.num_features, 0, 100000,
@@ -48,6 +50,8 @@ struct ExtractorOptions {
     field("cell_size_px", self.cell_size_px, 8, 1000, "side of a grid cell, px of its own level");
     field("orientation_bins", self.orientation_bins, 1, 256, "directions of the rotated pattern");
     field("upright", self.upright, "do not rotate the pattern (BRIEF)");
+    field("pattern", self.pattern,
+          "binary tests: brief (sampled), or the path of a file that corvo learn wrote");
   }
 };
 

@@ -49,19 +49,7 @@ Offset SampleOffset(SplitMix64& random) {
   return {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y)};
 }
 
-bool EndsApart(const BinaryTest& test) {
-  const int dx = test.p.x - test.q.x;
-  const int dy = test.p.y - test.q.y;
-  return dx * dx + dy * dy >= 2;
-}
-
 int RoundHalfAway(double value) { return value < 0 ? -RoundHalfUp(-value) : RoundHalfUp(value); }
-
-Offset Rotate(const Offset& offset, const Direction& direction) {
-  const double x = direction.cosine * offset.x - direction.sine * offset.y;
-  const double y = direction.sine * offset.x + direction.cosine * offset.y;
-  return {static_cast<std::int8_t>(RoundHalfAway(x)), static_cast<std::int8_t>(RoundHalfAway(y))};
-}
 
 Pattern Rotate(const Pattern& pattern, const Direction& direction) {
   Pattern rotated;
@@ -84,6 +72,16 @@ Direction DirectionInQuadrant(double radians) {
 
 }  // namespace
 
+bool EndsApart(const BinaryTest& test) {
+  const int dx = test.p.x - test.q.x;
+  const int dy = test.p.y - test.q.y;
+  return dx * dx + dy * dy >= 2;
+}
+
+bool AreEquivalent(const BinaryTest& a, const BinaryTest& b) {
+  return a == b || a == BinaryTest{b.q, b.p};
+}
+
 Pattern MakeBriefPattern(std::uint64_t seed) {
   SplitMix64 random(seed);
   Pattern pattern;
@@ -91,9 +89,8 @@ Pattern MakeBriefPattern(std::uint64_t seed) {
     const Offset p = SampleOffset(random);
     const Offset q = SampleOffset(random);
     const BinaryTest test{p, q};
-    const bool repeated = std::any_of(pattern.begin(), next, [&](const BinaryTest& other) {
-      return other == test || other == BinaryTest{q, p};
-    });
+    const bool repeated = std::any_of(
+        pattern.begin(), next, [&](const BinaryTest& other) { return AreEquivalent(test, other); });
     if (EndsApart(test) && !repeated) *next++ = test;
   }
   return pattern;
@@ -115,14 +112,20 @@ Direction DirectionOf(int bin, int bins) {
   }
 }
 
+int NearestBin(float angle_deg, int bins) {
+  const int bin = RoundHalfUp(static_cast<double>(angle_deg) * bins / 360.0);
+  return bin == bins ? 0 : bin;
+}
+
+Offset Rotate(const Offset& offset, const Direction& direction) {
+  const double x = direction.cosine * offset.x - direction.sine * offset.y;
+  const double y = direction.sine * offset.x + direction.cosine * offset.y;
+  return {static_cast<std::int8_t>(RoundHalfAway(x)), static_cast<std::int8_t>(RoundHalfAway(y))};
+}
+
 RotatedPatterns::RotatedPatterns(const Pattern& pattern, int bins) {
   patterns_.reserve(bins);
   for (int bin = 0; bin < bins; ++bin) patterns_.push_back(Rotate(pattern, DirectionOf(bin, bins)));
-}
-
-int RotatedPatterns::NearestBin(float angle_deg) const {
-  const int bin = RoundHalfUp(static_cast<double>(angle_deg) * bins() / 360.0);
-  return bin == bins() ? 0 : bin;
 }
 
 }  // namespace corvo::orb

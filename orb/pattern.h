@@ -28,10 +28,15 @@ struct BinaryTest {
 
 using Pattern = std::array<BinaryTest, kNumTests>;
 
+/// At least sqrt(2) px apart, so that the ends stay apart under rotation and rounding.
+bool EndsApart(const BinaryTest& test);
+
+/// The same test, or the same with its ends swapped: its bit tells nothing new.
+bool AreEquivalent(const BinaryTest& a, const BinaryTest& b);
+
 /// The tests of BRIEF (Calonder et al., ECCV 2010, sampling G II): both ends drawn independently
-/// from an isotropic Gaussian of standard deviation 31/5 px, redrawn until within kMaxOffset. Tests
-/// are distinct, also with ends swapped, and their ends at least sqrt(2) px apart, so that they
-/// stay apart under rotation and rounding. The same bits with every compiler.
+/// from an isotropic Gaussian of standard deviation 31/5 px, redrawn until within kMaxOffset. No
+/// two tests are equivalent, and their ends are apart. The same bits with every compiler.
 Pattern MakeBriefPattern(std::uint64_t seed = 0);
 
 /// Cosine and sine of `bin` / `bins` of a full turn, within 1e-15 and free of libm; directions a
@@ -42,6 +47,13 @@ struct Direction {
 };
 Direction DirectionOf(int bin, int bins);
 
+/// Of `bins` equally spaced directions the one nearest to `angle_deg`, which is in [0, 360);
+/// halfway goes up.
+int NearestBin(float angle_deg, int bins);
+
+/// Rotates from x towards y, and rounds to pixels, halfway away from 0.
+Offset Rotate(const Offset& offset, const Direction& direction);
+
 /// A pattern rotated, from x towards y, to each of equally spaced directions, rounded to pixels.
 class RotatedPatterns {
  public:
@@ -50,8 +62,8 @@ class RotatedPatterns {
 
   /// The pattern of the direction nearest to `angle_deg`, which is in [0, 360).
   const Pattern& Nearest(float angle_deg) const { return patterns_[NearestBin(angle_deg)]; }
-  /// Index of that direction; halfway goes up.
-  int NearestBin(float angle_deg) const;
+  /// Index of that direction.
+  int NearestBin(float angle_deg) const { return orb::NearestBin(angle_deg, bins()); }
   int bins() const { return static_cast<int>(patterns_.size()); }
   const Pattern& operator[](int bin) const { return patterns_[bin]; }
 

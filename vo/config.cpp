@@ -137,6 +137,12 @@ bool Parse(std::string_view text, orb::Ranking& value) {
   }
 }
 
+bool Parse(std::string_view text, std::string& value) {
+  value = text;
+  return !text.empty();
+}
+
+/// What is allowed; empty where only the field's meaning tells.
 template <typename T>
 std::string_view TypeName() {
   if constexpr (std::is_same_v<T, bool>) return "true or false";
@@ -145,12 +151,18 @@ std::string_view TypeName() {
   return "";
 }
 
+/// A scalar as YAML writes it, quoted where it has to be.
+std::string Quoted(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter << text;
+  return emitter.c_str();
+}
+
 template <typename T>
 std::string Print(const T& value) {
-  if constexpr (std::is_enum_v<T>)
-    return std::string(ToString(value));
-  else
-    return fmt::format("{}", value);
+  if constexpr (std::is_enum_v<T>) return std::string(ToString(value));
+  if constexpr (std::is_same_v<T, std::string>) return Quoted(value);
+  if constexpr (std::is_arithmetic_v<T>) return fmt::format("{}", value);
 }
 
 /// A value as an error names it.
@@ -177,14 +189,14 @@ class FieldReader {
   void operator()(const char* name, T& value, const char* meaning) const {
     const YAML::Node node = section_.Find(name);
     if (!node.IsDefined()) return;
-    ReadScalar(name, node, value, std::is_enum_v<T> ? meaning : TypeName<T>());
+    ReadScalar(name, node, value, TypeName<T>().empty() ? meaning : TypeName<T>());
   }
 
  private:
   template <typename T>
   void ReadScalar(const char* name, const YAML::Node& node, T& value,
                   std::string_view allowed) const {
-    const bool quoted = node.Tag() == "!";
+    const bool quoted = node.Tag() == "!" && !std::is_same_v<T, std::string>;
     if (node.IsScalar() && !quoted && Parse(node.Scalar(), value)) return;
     throw Error(
         fmt::format("{} is {}; allowed is {}", section_.Start(name), Describe(node), allowed));
@@ -254,13 +266,6 @@ std::vector<std::string> SectionNames(const OdometryOptions& options) {
   std::vector<std::string> names;
   OdometryOptions::VisitSections(options, NameCollector{names});
   return names;
-}
-
-/// A scalar as YAML writes it, quoted where it has to be.
-std::string Quoted(const std::string& text) {
-  YAML::Emitter emitter;
-  emitter << text;
-  return emitter.c_str();
 }
 
 std::string ReadText(const Section& section, const std::string& key) {

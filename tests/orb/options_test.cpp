@@ -35,6 +35,8 @@ TEST(ExtractorOptionsTest, ErrorsNameFieldValueAndRange) {
   EXPECT_THAT(Validating([](auto& o) { o.cell_size_px = 7; }), ThrowsError("cell_size_px"));
   EXPECT_THAT(Validating([](auto& o) { o.orientation_bins = 257; }),
               ThrowsError("orientation_bins", "257", "1 to 256"));
+  EXPECT_THAT(Validating([](auto& o) { o.pattern = "biref"; }),
+              ThrowsError("pattern: \"biref\"", "allowed is brief"));
 }
 
 TEST(ExtractorOptionsTest, LowerThresholdMayNotExceedTheHigher) {

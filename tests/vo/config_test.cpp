@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "orb/pattern_file.h"
 #include "tests/support/data.h"
 #include "tests/support/matchers.h"
 
@@ -58,6 +59,29 @@ TEST_F(OptionsFileTest, WrittenOptionsReadBackTheSame) {
   EXPECT_EQ(back.initializer.min_matches, 21);
   EXPECT_EQ(WriteOptions(back), text);
   EXPECT_NE(text, WriteOptions({}));
+}
+
+TEST_F(OptionsFileTest, PatternsAreNamesOrFiles) {
+  const std::string file =
+      dir_.Write("123 # no comment: a pattern", orb::PatternText(orb::MakeBriefPattern(1)))
+          .string();
+  OdometryOptions options;
+  options.extractor.pattern = file;
+  EXPECT_EQ(Read(WriteOptions(options)).extractor.pattern, file);
+  EXPECT_EQ(Read("extractor: {pattern: brief}").extractor.pattern, "brief");
+  EXPECT_EQ(Read("extractor: {pattern: \"brief\"}").extractor.pattern, "brief");
+}
+
+TEST_F(OptionsFileTest, PatternsThatCannotBeLoadedAreErrors) {
+  EXPECT_THAT([&] { Read("extractor: {pattern: biref}"); },
+              ThrowsError("a.yaml: extractor.pattern: \"biref\"; allowed is brief"));
+  EXPECT_THAT([&] { Read("extractor:\n  pattern: []\n"); },
+              ThrowsError("a.yaml:2: extractor.pattern", "allowed is binary tests: brief"));
+  EXPECT_THAT([&] { Read("extractor:\n  pattern:\n"); }, ThrowsError("a.yaml:2: ", "is empty"));
+  EXPECT_THAT([&] { Read("extractor:\n  pattern: ''\n"); }, ThrowsError("a.yaml:2: ", "is \"\""));
+  const std::string bad = dir_.Write("bad.inc", "// nothing\n1, 2, 3,\n").string();
+  EXPECT_THAT([&] { Read("extractor: {pattern: " + bad + "}"); },
+              ThrowsError("a.yaml: extractor.pattern: ", "bad.inc:2: "));
 }
 
 TEST_F(OptionsFileTest, UnknownKeysAreNamedWithTheNearestKnown) {
