@@ -9,6 +9,7 @@
 #include "apps/config.h"
 #include "apps/eval.h"
 #include "apps/features.h"
+#include "apps/learn.h"
 #include "apps/match.h"
 #include "apps/run.h"
 #include "apps/synth.h"
@@ -56,6 +57,7 @@ int Main(int argc, char** argv) {
   AddSynthCommand(app);
   AddFeaturesCommand(app);
   AddMatchCommand(app);
+  AddLearnCommand(app);
   AddConfigCommand(app);
   try {
     app.parse(argc, argv);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "apps/progress_line.h"
 #include "apps/stopwatch.h"
 #include "vo/frame_result.h"
 
@@ -17,25 +18,20 @@ struct Progress {
 /// "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s"
 std::string ProgressText(const Progress& progress);
 
-/// The text after a bar that shows the share done, in at most `columns` characters. Without a bar
-/// where the sequence's end is not known or there is no room.
-std::string ProgressBar(const Progress& progress, int columns);
+/// The share of the frames that are done; none where the sequence's end is not known.
+std::optional<double> ShareDone(const Progress& progress);
 
 /// Tells on standard error how far a run is: on a terminal a bar that is drawn over, else a line
 /// every 100 frames.
 class ProgressReport {
  public:
-  explicit ProgressReport(int num_frames);
-  ~ProgressReport();
-  ProgressReport(const ProgressReport&) = delete;
-  ProgressReport& operator=(const ProgressReport&) = delete;
+  explicit ProgressReport(int num_frames) : num_frames_(num_frames) {}
 
   void Add(const FrameResult& frame);
 
  private:
   int num_frames_;
-  bool is_terminal_;
-  double last_drawn_ms_ = 0;
+  ProgressLine line_;
   Stopwatch watch_;
 };
 

@@ -24,7 +24,8 @@ TEST_P(Help, HasRunnableExamples) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("run", "eval", "synth", "features", "match", "config"),
+                         testing::Values("run", "eval", "synth", "features", "match", "learn",
+                                         "config"),
                          [](const auto& param_info) { return std::string(param_info.param); });
 
 TEST(CommandLine, HelpListsTheCommands) {
@@ -65,6 +66,10 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"features", "none.png"},
                     std::vector<std::string>{"match", "a.png", "-o", "out"},
                     std::vector<std::string>{"match", "a.png", "b.png", "-o", "out"},
+                    std::vector<std::string>{"learn", "-o", "p.inc"},
+                    std::vector<std::string>{"learn", "none.png", "-o", "p.inc"},
+                    std::vector<std::string>{"learn", "none.png"},
+                    std::vector<std::string>{"learn", "a.png", "-o", "p", "--keypoints", "999"},
                     std::vector<std::string>{"config", "no/such/file.yaml"}));
 
 }  // namespace

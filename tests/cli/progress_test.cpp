@@ -24,21 +24,26 @@ TEST(ProgressText, OfACameraHasNoEnd) {
   EXPECT_EQ(ProgressText(After(100, 0)), "frame 100: tracking, 156 inliers, 32.1 frames/s");
 }
 
+TEST(ShareDone, IsKnownWhereTheEndIs) {
+  EXPECT_EQ(ShareDone(After(3, 4)), 0.75);
+  EXPECT_EQ(ShareDone(After(4, 4)), 1.0);
+  EXPECT_EQ(ShareDone(After(7, 0)), std::nullopt);
+}
+
 TEST(ProgressBar, IsAsLongAsTheShareDone) {
-  const std::string text = ProgressText(After(3, 4));
-  EXPECT_EQ(ProgressBar(After(3, 4), static_cast<int>(text.size()) + 11), "[######..] " + text);
-  EXPECT_EQ(ProgressBar(After(4, 4), 1000),
-            "[##############################] " + ProgressText(After(4, 4)));
+  EXPECT_EQ(ProgressBar(0.75, "text", 15), "[######..] text");
+  EXPECT_EQ(ProgressBar(1.0, "text", 1000), "[##############################] text");
 }
 
 TEST(ProgressBar, NeverExceedsTheTerminal) {
+  const std::string text = ProgressText(After(7, 300));
   for (int columns = 0; columns < 120; ++columns) {
-    EXPECT_LE(ProgressBar(After(7, 300), columns).size(), columns);
+    EXPECT_LE(ProgressBar(7 / 300.0, text, columns).size(), columns);
   }
 }
 
 TEST(ProgressBar, IsLeftOutWithoutAnEnd) {
-  EXPECT_EQ(ProgressBar(After(7, 0), 200), ProgressText(After(7, 0)));
+  EXPECT_EQ(ProgressBar(std::nullopt, "text", 200), "text");
 }
 
 }  // namespace

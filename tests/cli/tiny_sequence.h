@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "tests/cli/temp_folder.h"
 
@@ -18,6 +19,14 @@ inline cv::Mat TinyImage(int seed, int width = kTinyWidth, int height = kTinyHei
   cv::Mat image(height, width, CV_8UC1);
   cv::RNG rng(static_cast<std::uint64_t>(seed) + 1);
   rng.fill(image, cv::RNG::UNIFORM, 0, 256);
+  return image;
+}
+
+/// The same, smoothed and of full contrast: its corners are found again in other views.
+inline cv::Mat SmoothImage(int seed, int width, int height) {
+  cv::Mat image = TinyImage(seed, width, height);
+  cv::GaussianBlur(image, image, cv::Size(), 3, 3);
+  cv::normalize(image, image, 0, 255, cv::NORM_MINMAX);
   return image;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/matx.hpp>
+
+namespace corvo {
+
+/// A picture seen again, as a camera might.
+struct TrainingView {
+  cv::Mat image;
+  cv::Matx33d view_from_picture;  ///< Homography of pixels.
+};
+
+/// A seeded view of a grey picture: turned by any angle, 0.8 to 1.25 times as large, stretched and
+/// sheared by up to 0.2, in slight perspective; blurred by up to 1 px, with another gain and offset
+/// and noise of up to 5 grey levels. Beyond its edges the picture is mirrored. The same bytes on
+/// every machine.
+TrainingView MakeTrainingView(const cv::Mat& picture, std::uint64_t seed);
+
+}  // namespace corvo
