@@ -14,10 +14,10 @@ foreach(component IN ITEMS orb vo opencv)
   install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
 endforeach()
 
-# All headers but those of the inside: the kernels, and of the adjustment what includes Ceres.
+# All headers but those of the inside, which include Highway or Ceres.
 install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
   FILES_MATCHING PATTERN "*.h"
-  PATTERN "kernels" EXCLUDE
+  PATTERN "*-inl.h" EXCLUDE
   PATTERN "reprojection_cost.h" EXCLUDE
   PATTERN "se3_manifold.h" EXCLUDE)
 

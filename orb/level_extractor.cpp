@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "orb/harris.h"
+#include "orb/kernels/directions.h"
 #include "orb/orientation.h"
 #include "orb/rounding.h"
 
@@ -17,13 +18,13 @@ bool IsKept(const cv::Mat& mask, const PyramidLevel& level, const Corner& corner
   return mask.at<std::uint8_t>(row, column) != 0;
 }
 
-Keypoint MakeKeypoint(const PyramidLevel& level, int octave, const Corner& corner,
+Keypoint MakeKeypoint(const PyramidLevel& level, int octave, const Corner& corner, float angle_deg,
                       Ranking ranking) {
   const float response = ranking == Ranking::kHarris
                              ? static_cast<float>(HarrisResponse(level.image, corner.x, corner.y))
                              : static_cast<float>(corner.score);
   return {static_cast<float>(level.InputX(corner.x)), static_cast<float>(level.InputY(corner.y)),
-          OrientationDeg(level.image, corner.x, corner.y), response, octave};
+          angle_deg, response, octave};
 }
 
 }  // namespace
@@ -44,6 +45,16 @@ void LevelExtractor::Detect(const PyramidLevel& level, const cv::Mat& mask,
   }
 }
 
+void LevelExtractor::Orient(const cv::Mat& image) {
+  moments_.resize(chosen_.size());
+  angles_deg_.resize(chosen_.size());
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    const Corner& corner = corners_[chosen_[i]];
+    moments_[i] = MomentsAt(image, corner.x, corner.y);
+  }
+  kernels::FindDirectionsDeg(moments_, angles_deg_);
+}
+
 void LevelExtractor::Describe(const PyramidLevel& level, int octave,
                               const ExtractorOptions& options, const Describer& describer,
                               std::span<Keypoint> keypoints, std::span<Descriptor> descriptors) {
@@ -53,14 +64,13 @@ void LevelExtractor::Describe(const PyramidLevel& level, int octave,
   } else {
     SelectStrongest(corners_, quota, chosen_);
   }
-  for (int i = 0; i < quota; ++i) {
-    keypoints[i] = MakeKeypoint(level, octave, corners_[chosen_[i]], options.ranking);
-  }
+  Orient(level.image);
   sums_.Start(level.image);
   for (int i = 0; i < quota; ++i) {
     const Corner& corner = corners_[chosen_[i]];
+    keypoints[i] = MakeKeypoint(level, octave, corner, angles_deg_[i], options.ranking);
     descriptors[i] =
-        describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), keypoints[i].angle_deg);
+        describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), angles_deg_[i]);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "orb/descriptor.h"
 #include "orb/fast.h"
 #include "orb/grid.h"
+#include "orb/kernels/moments.h"
 #include "orb/options.h"
 #include "orb/pyramid.h"
 #include "orb/types.h"
@@ -33,10 +34,15 @@ class LevelExtractor {
                 std::span<Descriptor> descriptors);
 
  private:
+  /// Sets the directions of the chosen corners.
+  void Orient(const cv::Mat& image);
+
   FastDetector detector_;
   std::vector<Corner> corners_;
   GridSelector selector_;
   std::vector<int> chosen_;
+  std::vector<kernels::DiscMoments> moments_;
+  std::vector<float> angles_deg_;
   WindowSumBand sums_;
 };
 
