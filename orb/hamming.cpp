@@ -1,19 +1,36 @@
 #include "orb/hamming.h"
 
-#include <bit>
+#include <array>
 #include <cstdint>
 #include <cstring>
 
 namespace corvo::orb {
+namespace {
 
+/// Number of bits in each byte.
+std::uint64_t CountBitsOfBytes(std::uint64_t word) {
+  word -= word >> 1 & 0x5555555555555555;
+  word = (word & 0x3333333333333333) + (word >> 2 & 0x3333333333333333);
+  return (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0f;
+}
+
+/// Sum of the bytes, which are at most 127.
+int SumBytes(std::uint64_t bytes) {
+  const std::uint64_t pairs = (bytes & 0x00ff00ff00ff00ff) + (bytes >> 8 & 0x00ff00ff00ff00ff);
+  return static_cast<int>(pairs * 0x0001000100010001 >> 48);
+}
+
+}  // namespace
+
+// Without an instruction that counts bits, which not every processor has; kernels use it.
 int HammingDistance(const Descriptor& a, const Descriptor& b) {
   std::array<std::uint64_t, 4> words_a;
   std::array<std::uint64_t, 4> words_b;
   std::memcpy(words_a.data(), a.bytes.data(), sizeof(words_a));
   std::memcpy(words_b.data(), b.bytes.data(), sizeof(words_b));
-  int distance = 0;
-  for (int i = 0; i < 4; ++i) distance += std::popcount(words_a[i] ^ words_b[i]);
-  return distance;
+  std::uint64_t counts = 0;
+  for (int i = 0; i < 4; ++i) counts += CountBitsOfBytes(words_a[i] ^ words_b[i]);
+  return SumBytes(counts);
 }
 
 }  // namespace corvo::orb

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "orb/error.h"
+#include "orb/kernels/disc_search.h"
 
 namespace corvo::orb {
 namespace {
@@ -19,9 +20,9 @@ void CheckFinite(std::span<const Keypoint> keypoints) {
   }
 }
 
-/// Index of the cell that holds `offset`, clamped to those that exist.
-int CellOf(double offset, double cell_size, int count) {
-  return static_cast<int>(std::clamp(offset / cell_size, 0.0, count - 1.0));
+/// `position`, in cells, as the index of one of `count` cells; the first or last if it is beyond.
+int CellAt(double position, int count) {
+  return static_cast<int>(std::clamp(position, 0.0, count - 1.0));
 }
 
 }  // namespace
@@ -31,15 +32,26 @@ KeypointIndex::KeypointIndex(std::span<const Keypoint> keypoints, float cell_siz
   if (!(cell_size_px > 0)) throw Error("cell_size_px must be positive");
   if (keypoints.empty()) return;
   LayOut(keypoints, cell_size_px);
+  SortIntoCells(keypoints);
+}
+
+void KeypointIndex::SortIntoCells(std::span<const Keypoint> keypoints) {
   const auto cell_of = [&](const Keypoint& k) { return RowOf(k.y) * columns_ + ColumnOf(k.x); };
   cell_starts_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
   for (const Keypoint& keypoint : keypoints) ++cell_starts_[cell_of(keypoint) + 1];
   std::partial_sum(cell_starts_.begin(), cell_starts_.end(), cell_starts_.begin());
   std::vector<int> next = cell_starts_;
-  entries_.resize(keypoints.size());
-  for (int i = 0; i < static_cast<int>(keypoints.size()); ++i) {
-    const Keypoint& keypoint = keypoints[i];
-    entries_[next[cell_of(keypoint)]++] = {keypoint.x, keypoint.y, keypoint.octave, i};
+  const std::size_t padded_size = keypoints.size() + kernels::kGridPadding;
+  x_.resize(padded_size);
+  y_.resize(padded_size);
+  octaves_.resize(padded_size);
+  indices_.resize(padded_size);
+  for (int i = 0; i < size(); ++i) {
+    const int to = next[cell_of(keypoints[i])]++;
+    x_[to] = keypoints[i].x;
+    y_[to] = keypoints[i].y;
+    octaves_[to] = keypoints[i].octave;
+    indices_[to] = i;
   }
 }
 
@@ -52,36 +64,41 @@ void KeypointIndex::LayOut(std::span<const Keypoint> keypoints, double cell_size
   top_ = min_y->y;
   const double width = max_x->x - left_;
   const double height = max_y->y - top_;
-  cell_size_ = std::max({cell_size_px, width / kMaxCellsPerSide, height / kMaxCellsPerSide});
-  columns_ = static_cast<int>(width / cell_size_) + 1;
-  rows_ = static_cast<int>(height / cell_size_) + 1;
+  cells_per_px_ = 1 / std::max({cell_size_px, width / kMaxCellsPerSide, height / kMaxCellsPerSide});
+  columns_ = static_cast<int>(width * cells_per_px_) + 1;
+  rows_ = static_cast<int>(height * cells_per_px_) + 1;
 }
 
-int KeypointIndex::ColumnOf(double x) const { return CellOf(x - left_, cell_size_, columns_); }
+int KeypointIndex::ColumnOf(double x) const {
+  return CellAt((x - left_) * cells_per_px_, columns_);
+}
 
-int KeypointIndex::RowOf(double y) const { return CellOf(y - top_, cell_size_, rows_); }
+int KeypointIndex::RowOf(double y) const { return CellAt((y - top_) * cells_per_px_, rows_); }
 
 void KeypointIndex::Find(float x, float y, float radius, int min_octave, int max_octave,
                          std::vector<int>& found) const {
-  if (entries_.empty() || !(radius >= 0) || !std::isfinite(x) || !std::isfinite(y)) return;
   const auto first_found = static_cast<std::ptrdiff_t>(found.size());
-  const double reach = radius;
-  const double square = reach * reach;
-  const int first_column = ColumnOf(x - reach);
-  const int last_column = ColumnOf(x + reach);
-  const int last_row = RowOf(y + reach);
-  for (int row = RowOf(y - reach); row <= last_row; ++row) {
-    const int begin = cell_starts_[row * columns_ + first_column];
-    const int end = cell_starts_[row * columns_ + last_column + 1];
-    for (int i = begin; i < end; ++i) {
-      const Entry& entry = entries_[i];
-      if (entry.octave < min_octave || entry.octave > max_octave) continue;
-      const double dx = static_cast<double>(entry.x) - x;
-      const double dy = static_cast<double>(entry.y) - y;
-      if (dx * dx + dy * dy <= square) found.push_back(entry.index);
-    }
-  }
+  FindUnordered(x, y, radius, min_octave, max_octave, found);
   std::sort(found.begin() + first_found, found.end());
+}
+
+void KeypointIndex::FindUnordered(float x, float y, float radius, int min_octave, int max_octave,
+                                  std::vector<int>& found) const {
+  if (size() == 0 || !(radius >= 0) || !std::isfinite(x) || !std::isfinite(y)) return;
+  const kernels::OctaveDisc disc = {x, y, radius, min_octave, max_octave};
+  const kernels::CellRange cells = {ColumnOf(disc.x - disc.radius), ColumnOf(disc.x + disc.radius),
+                                    RowOf(disc.y - disc.radius), RowOf(disc.y + disc.radius)};
+  std::size_t room = kernels::kGridPadding;
+  for (int row = cells.first_row; row <= cells.last_row; ++row) {
+    const int* starts = cell_starts_.data() + row * columns_;
+    room += starts[cells.last_column + 1] - starts[cells.first_column];
+  }
+  const std::size_t num_before = found.size();
+  found.resize(num_before + room);
+  const int num_found = kernels::FindInDisc(
+      {x_.data(), y_.data(), octaves_.data(), indices_.data(), cell_starts_.data(), columns_},
+      cells, disc, found.data() + num_before);
+  found.resize(num_before + num_found);
 }
 
 }  // namespace corvo::orb

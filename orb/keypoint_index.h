@@ -22,29 +22,31 @@ class KeypointIndex {
   void Find(float x, float y, float radius, int min_octave, int max_octave,
             std::vector<int>& found) const;
 
+  /// As Find, but in any order.
+  void FindUnordered(float x, float y, float radius, int min_octave, int max_octave,
+                     std::vector<int>& found) const;
+
   /// Number of keypoints.
-  int size() const { return static_cast<int>(entries_.size()); }
+  int size() const { return cell_starts_.empty() ? 0 : cell_starts_.back(); }
 
  private:
-  struct Entry {
-    float x;
-    float y;
-    int octave;
-    int index;
-  };
-
   /// Lays cells over the keypoints' bounding box.
   void LayOut(std::span<const Keypoint> keypoints, double cell_size_px);
+  /// Sorts keypoints into the cells, those of a cell in their own order.
+  void SortIntoCells(std::span<const Keypoint> keypoints);
   int ColumnOf(double x) const;
   int RowOf(double y) const;
 
   double left_ = 0;
   double top_ = 0;
-  double cell_size_ = 1;
+  double cells_per_px_ = 1;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> cell_starts_;  ///< Cell c holds entries [cell_starts_[c], cell_starts_[c + 1]).
-  std::vector<Entry> entries_;
+  std::vector<int> cell_starts_;  ///< Cell c holds keypoints cell_starts_[c] to [c + 1] - 1.
+  std::vector<float> x_;          ///< Of the keypoints by cells; some more behind the last.
+  std::vector<float> y_;
+  std::vector<int> octaves_;
+  std::vector<int> indices_;
 };
 
 }  // namespace corvo::orb

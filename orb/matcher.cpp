@@ -6,7 +6,7 @@
 #include <string>
 
 #include "orb/error.h"
-#include "orb/hamming.h"
+#include "orb/kernels/nearest_among.h"
 #include "orb/kernels/nearest_two.h"
 #include "orb/rounding.h"
 
@@ -54,6 +54,12 @@ std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
   return nearest;
 }
 
+Nearest FindNearestAmong(const Descriptor& query, std::span<const Descriptor> train,
+                         std::span<const int> candidates) {
+  return kernels::FindNearestAmong(query, train.data(), candidates.data(),
+                                   static_cast<int>(candidates.size()));
+}
+
 std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
                                           std::span<const SearchWindow> windows,
                                           std::span<const Descriptor> train,
@@ -65,9 +71,9 @@ std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const SearchWindow& window = windows[i];
     candidates.clear();
-    train_index.Find(window.x, window.y, window.radius, window.min_octave, window.max_octave,
-                     candidates);
-    for (const int j : candidates) Update(nearest[i], j, HammingDistance(queries[i], train[j]));
+    train_index.FindUnordered(window.x, window.y, window.radius, window.min_octave,
+                              window.max_octave, candidates);
+    nearest[i] = FindNearestAmong(queries[i], train, candidates);
   }
   return nearest;
 }

@@ -22,6 +22,11 @@ struct Match {
 std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
                                  std::span<const Descriptor> train);
 
+/// Exact two nearest neighbours of `query` among train[candidates[i]]. Candidates are different
+/// indices within `train`, in any order.
+Nearest FindNearestAmong(const Descriptor& query, std::span<const Descriptor> train,
+                         std::span<const int> candidates);
+
 /// Where to look for a query: a disc in the train image and a range of octaves.
 struct SearchWindow {
   float x = 0;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,16 @@ TEST(KeypointIndexTest, AppendsInAscendingOrder) {
   std::vector<int> found = {7};
   KeypointIndex(keypoints).Find(45, 0, 60, 0, 0, found);
   EXPECT_THAT(found, ElementsAre(7, 0, 1, 2));
+}
+
+TEST(KeypointIndexTest, UnorderedIsTheSameInAnyOrder) {
+  const KeypointIndex index(RandomKeypoints(800, 0, 700, 4));
+  std::vector<int> found = {900};
+  index.FindUnordered(300, 300, 200, 2, 5, found);
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found.back(), 900);
+  found.pop_back();
+  EXPECT_EQ(found, Find(index, 300, 300, 200, 2, 5));
 }
 
 TEST(KeypointIndexTest, KeypointsMayLieFarApart) {

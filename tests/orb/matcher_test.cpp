@@ -77,6 +77,18 @@ TEST(FindNearestTest, FewCandidates) {
   EXPECT_THAT(FindNearest(one, twice), ElementsAre(Nearest{0, 0, 0, 1}));
 }
 
+TEST(FindNearestAmongTest, IsTheDefinitionInWhateverOrderCandidatesCome) {
+  const auto train = SimilarDescriptors(90, 8);
+  std::vector<int> candidates(train.size());
+  std::iota(candidates.begin(), candidates.end(), 0);
+  std::reverse(candidates.begin(), candidates.begin() + 60);
+  for (const auto& query : SimilarDescriptors(20, 9)) {
+    EXPECT_EQ(FindNearestAmong(query, train, candidates), NaiveNearest(query, train, candidates));
+    candidates.pop_back();
+  }
+  EXPECT_EQ(FindNearestAmong(train[0], train, {}), Nearest{});
+}
+
 TEST(FindNearestInWindowsTest, SeesOnlyWhatLiesInTheWindow) {
   test::Random random(4);
   const auto queries = SimilarDescriptors(60, 5);
