@@ -2,18 +2,20 @@
 
 #include <cmath>
 
-#include "orb/hamming.h"
+#include "orb/kernels/line_search.h"
 #include "vo/chi_square.h"
 #include "vo/lie/so3.h"
 
 namespace corvo {
 namespace {
 
-/// The keypoints of a frame that see no landmark, with what the inner loop reads.
+/// The keypoints of a frame that see no landmark, with what the inner loops read.
 struct FreeKeypoints {
   std::vector<int> index;
-  std::vector<Eigen::Vector2d> rays;
-  std::vector<double> max_squared_distance;  ///< From an epipolar line, squared ray units.
+  std::vector<orb::Descriptor> descriptors;
+  std::vector<double> x;  ///< Of the rays.
+  std::vector<double> y;
+  std::vector<double> max_squared_distances;  ///< From an epipolar line, squared ray units.
 };
 
 FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const KeypointNoise& noise) {
@@ -22,34 +24,34 @@ FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const Keypoi
     if (frame.landmarks[k] != kNoId) continue;
     const double sigma = noise.Sigma(frame.keypoint(k)) / camera.FocalAt(frame.rays[k]);
     free.index.push_back(k);
-    free.rays.push_back(frame.rays[k]);
-    free.max_squared_distance.push_back(kChiSquare1Dof95 * sigma * sigma);
+    free.descriptors.push_back(frame.descriptor(k));
+    free.x.push_back(frame.rays[k].x());
+    free.y.push_back(frame.rays[k].y());
+    free.max_squared_distances.push_back(kChiSquare1Dof95 * sigma * sigma);
   }
   return free;
 }
 
-/// The nearest and second nearest descriptors among the keypoints near a line.
-orb::Nearest FindNearestOnLine(const orb::Descriptor& query, const Eigen::Vector3d& line,
-                               const FreeKeypoints& candidates, const Frame& frame) {
-  orb::Nearest nearest;
-  const double squared_norm = line.head<2>().squaredNorm();
-  for (std::size_t c = 0; c < candidates.index.size(); ++c) {
-    const Eigen::Vector2d& ray = candidates.rays[c];
-    const double distance = line.x() * ray.x() + line.y() * ray.y() + line.z();
-    if (distance * distance > candidates.max_squared_distance[c] * squared_norm) continue;
-    const int bits = orb::HammingDistance(query, frame.descriptor(candidates.index[c]));
-    if (bits < nearest.distance) {
-      nearest.second_distance = nearest.distance;
-      nearest.second_index = nearest.index;
-      nearest.distance = bits;
-      nearest.index = candidates.index[c];
-    } else if (bits < nearest.second_distance) {
-      nearest.second_distance = bits;
-      nearest.second_index = candidates.index[c];
-    }
+/// Finds among keypoints those near a line that have the nearest descriptors.
+class LineMatcher {
+ public:
+  explicit LineMatcher(const FreeKeypoints& candidates)
+      : candidates_(candidates), near_line_(candidates.index.size()) {}
+
+  /// The nearest and second nearest descriptor; indices are among the candidates.
+  orb::Nearest FindNearest(const orb::Descriptor& query, const Eigen::Vector3d& line) {
+    const int num_near = orb::kernels::FindNearLine(
+        {candidates_.x.data(), candidates_.y.data(), candidates_.max_squared_distances.data(),
+         static_cast<int>(candidates_.index.size())},
+        {line.x(), line.y(), line.z()}, near_line_.data());
+    return orb::FindNearestAmong(query, candidates_.descriptors,
+                                 {near_line_.data(), static_cast<std::size_t>(num_near)});
   }
-  return nearest;
-}
+
+ private:
+  const FreeKeypoints& candidates_;
+  std::vector<int> near_line_;
+};
 
 }  // namespace
 
@@ -62,14 +64,14 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
   const FreeKeypoints free_first = CollectFree(first, camera, noise);
   const FreeKeypoints free_second = CollectFree(second, camera, noise);
+  LineMatcher matcher(free_second);
   std::vector<orb::Match> matches;
   for (std::size_t i = 0; i < free_first.index.size(); ++i) {
-    const int k = free_first.index[i];
-    const Eigen::Vector3d line = essential * free_first.rays[i].homogeneous();
-    const orb::Nearest nearest = FindNearestOnLine(first.descriptor(k), line, free_second, second);
+    const Eigen::Vector3d line = essential * Eigen::Vector3d(free_first.x[i], free_first.y[i], 1);
+    const orb::Nearest nearest = matcher.FindNearest(free_first.descriptors[i], line);
     if (nearest.distance > max_distance) continue;
     if (nearest.distance > kMaxRatio * nearest.second_distance) continue;
-    matches.push_back({k, nearest.index, nearest.distance});
+    matches.push_back({free_first.index[i], free_second.index[nearest.index], nearest.distance});
   }
   return orb::KeepConsistentRotation(orb::KeepUnique(matches), first.features.keypoints,
                                      second.features.keypoints);
