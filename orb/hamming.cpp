@@ -22,7 +22,7 @@ int SumBytes(std::uint64_t bytes) {
 
 }  // namespace
 
-// Without an instruction that counts bits, which not every processor has; kernels use it.
+// Does without the instruction that counts bits, which not every processor has. Kernels use it.
 int HammingDistance(const Descriptor& a, const Descriptor& b) {
   std::array<std::uint64_t, 4> words_a;
   std::array<std::uint64_t, 4> words_b;
