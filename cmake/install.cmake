@@ -14,10 +14,11 @@ foreach(component IN ITEMS orb vo opencv)
   install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
 endforeach()
 
-# All headers but those of the inside, which include Highway or Ceres.
+# All headers but those of the inside, which include Highway, TBB or Ceres.
 install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
   FILES_MATCHING PATTERN "*.h"
   PATTERN "*-inl.h" EXCLUDE
+  PATTERN "workers.h" EXCLUDE
   PATTERN "reprojection_cost.h" EXCLUDE
   PATTERN "se3_manifold.h" EXCLUDE)
 

@@ -27,7 +27,7 @@ endforeach()
 
 # What the libraries are made with is no business of those who use them.
 foreach(file IN LISTS headers)
-  file(STRINGS ${file} includes REGEX "#include <(ceres|yaml-cpp|fmt|tbb|opencv2/(calib3d|highgui))")
+  file(STRINGS ${file} includes REGEX "#include <(ceres|yaml-cpp|fmt|tbb|hwy|opencv2/(calib3d|highgui))")
   if(includes)
     message(FATAL_ERROR "${file} has ${includes}")
   endif()
