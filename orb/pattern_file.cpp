@@ -101,7 +101,9 @@ Pattern ReadPattern(const fs::path& file) {
 std::string PatternText(const Pattern& pattern) {
   std::string text;
   for (const auto& [p, q] : pattern) {
-    for (const int value : {p.x, p.y, q.x, q.y}) text += std::to_string(value) + ", ";
+    for (const Offset& end : {p, q}) {
+      text += std::to_string(end.x) + ", " + std::to_string(end.y) + ", ";
+    }
     text.back() = '\n';
   }
   return text;
