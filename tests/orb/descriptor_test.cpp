@@ -10,14 +10,6 @@
 namespace corvo::orb {
 namespace {
 
-int NaiveSum(const cv::Mat& image, int x, int y) {
-  int sum = 0;
-  for (int dy = -2; dy <= 2; ++dy) {
-    for (int dx = -2; dx <= 2; ++dx) sum += image.at<std::uint8_t>(y + dy, x + dx);
-  }
-  return sum;
-}
-
 bool Bit(const Descriptor& descriptor, int i) { return (descriptor.bytes[i / 8] >> (i % 8)) & 1; }
 
 /// Of the centre of a picture of 43 x 43.
@@ -39,7 +31,8 @@ TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
     const Descriptor descriptor = DescribeCentre(image, bin, 30);
     for (int i = 0; i < kNumTests; ++i) {
       const auto& [p, q] = patterns[bin][i];
-      const bool darker = NaiveSum(image, 21 + p.x, 21 + p.y) < NaiveSum(image, 21 + q.x, 21 + q.y);
+      const bool darker =
+          test::WindowSum(image, 21 + p.x, 21 + p.y) < test::WindowSum(image, 21 + q.x, 21 + q.y);
       ASSERT_EQ(Bit(descriptor, i), darker) << "test " << i;
     }
   }

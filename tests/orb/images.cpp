@@ -65,6 +65,14 @@ const std::vector<std::string>& RealImages() {
   return paths;
 }
 
+int WindowSum(const cv::Mat& image, int x, int y) {
+  int sum = 0;
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) sum += image.at<std::uint8_t>(y + dy, x + dx);
+  }
+  return sum;
+}
+
 std::vector<orb::Descriptor> RandomDescriptors(int count, std::uint64_t seed) {
   Random random(seed);
   std::vector<orb::Descriptor> descriptors(count);

@@ -26,6 +26,9 @@ cv::Matx33d ReadHomography(const std::string& relative);
 /// Pictures of the test data that differ in kind: street, wall, trees, room.
 const std::vector<std::string>& RealImages();
 
+/// Of the 25 pixels around (x, y).
+int WindowSum(const cv::Mat& image, int x, int y);
+
 /// Independent bits.
 std::vector<orb::Descriptor> RandomDescriptors(int count, std::uint64_t seed);
 
