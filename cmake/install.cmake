@@ -30,7 +30,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/corvo-config-version.cmak
 install(
   FILES ${PROJECT_BINARY_DIR}/corvo-config.cmake ${PROJECT_BINARY_DIR}/corvo-config-version.cmake
   DESTINATION ${corvo_package_dir})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET corvo)
   install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -28,7 +28,7 @@ struct ExtractorOptions {
   int cell_size_px = 24;
   int orientation_bins = 30;
   bool upright = false;
-  std::string pattern = "brief";
+  std::string pattern = "learned";
 
   /// Throws corvo::Error naming the first field out of range, min_fast_threshold where it exceeds
   /// fast_threshold, or pattern where LoadPattern() throws.
@@ -51,7 +51,7 @@ struct ExtractorOptions {
     field("orientation_bins", self.orientation_bins, 1, 256, "directions of the rotated pattern");
     field("upright", self.upright, "do not rotate the pattern (BRIEF)");
     field("pattern", self.pattern,
-          "binary tests: brief (sampled), or the path of a file that corvo learn wrote");
+          "binary tests: learned (from photographs), brief (sampled), or a file of corvo learn");
   }
 };
 

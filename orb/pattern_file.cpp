@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "orb/error.h"
+#include "orb/learned_pattern.h"
 
 namespace corvo::orb {
 namespace {
@@ -110,9 +111,10 @@ std::string PatternText(const Pattern& pattern) {
 }
 
 Pattern LoadPattern(const std::string& name_or_file) {
+  if (name_or_file == "learned") return LearnedPattern();
   if (name_or_file == "brief") return MakeBriefPattern();
   if (!fs::exists(name_or_file)) {
-    throw Error("\"" + name_or_file + "\"; allowed is brief or a file that is there");
+    throw Error("\"" + name_or_file + "\"; allowed is learned, brief or a file that is there");
   }
   return ReadPattern(name_or_file);
 }

@@ -18,8 +18,8 @@ Pattern ReadPattern(const std::filesystem::path& file);
 /// The text of a file that ReadPattern() reads back the same.
 std::string PatternText(const Pattern& pattern);
 
-/// The pattern of that name, "brief" (MakeBriefPattern), or else that of the file. Throws
-/// corvo::Error as ReadPattern().
+/// The pattern of that name, "learned" (LearnedPattern) or "brief" (MakeBriefPattern), or else that
+/// of the file. Throws corvo::Error as ReadPattern().
 Pattern LoadPattern(const std::string& name_or_file);
 
 }  // namespace corvo::orb

@@ -37,7 +37,7 @@ struct TrackerOptions {
   int min_matches = 20;
   int min_inliers = 20;
   int max_local_keyframes = 30;
-  int max_distance = 80;
+  int max_distance = 95;
   double max_ratio = 0.8;
 
   template <typename Self, typename Visitor>
@@ -79,7 +79,7 @@ struct KeyframeOptions {
   double max_tracked_share = 0.75;
   int num_neighbors = 10;
   double min_parallax_deg = 1.15;
-  int max_distance = 50;
+  int max_distance = 65;
   double min_found_share = 0.25;
   double max_redundant_share = 0.9;
 

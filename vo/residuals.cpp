@@ -11,7 +11,7 @@ void AppendResiduals(const Map& map, const Keyframe& keyframe, const Camera& cam
                      const std::vector<double>& octave_scales, std::vector<double>& residuals) {
   constexpr int kMaxKeyframes = 10;
   constexpr double kRadiusPx = 60;
-  constexpr int kMaxDistance = 50;
+  constexpr int kMaxDistance = 65;
   std::vector<orb::Descriptor> descriptors;
   std::vector<orb::SearchWindow> windows;
   std::vector<Eigen::Vector2d> pixels;

@@ -92,7 +92,9 @@ void WritePictures(const fs::path& here) {
   }
   WriteVideo(here / "drive.mp4");
   WriteImage(here / "bonnet.png", cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(255)));
-  WriteImage(here / "photographs/1.png", SmoothImage(1, 320, 240));
+  for (const char* name : {"photographs/1.png", "bsds500/train/1.jpg"}) {
+    WriteImage(here / name, SmoothImage(1, 320, 240));
+  }
   for (const char* name : {"a.png", "b.png", "picture.png"}) {
     WriteImage(here / name, TinyImage(7, 160, 120));
   }

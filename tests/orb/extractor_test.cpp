@@ -13,6 +13,7 @@
 
 #include "orb/descriptor.h"
 #include "orb/hamming.h"
+#include "orb/learned_pattern.h"
 #include "orb/matcher.h"
 #include "orb/pyramid.h"
 #include "orb/window_sums.h"
@@ -298,7 +299,7 @@ TEST(ExtractorTest, UprightUsesTheUnrotatedPattern) {
   options.upright = true;
   const Features upright = Extractor(options).Extract(image);
   ASSERT_FALSE(upright.keypoints.empty());
-  const Describer describer(MakeBriefPattern(), 30, true);
+  const Describer describer(LearnedPattern(), 30, true);
   const cv::Mat sums = WindowSums(image);
   for (std::size_t i = 0; i < upright.keypoints.size(); ++i) {
     const auto x = static_cast<int>(upright.keypoints[i].x);

@@ -36,7 +36,7 @@ TEST(ExtractorOptionsTest, ErrorsNameFieldValueAndRange) {
   EXPECT_THAT(Validating([](auto& o) { o.orientation_bins = 257; }),
               ThrowsError("orientation_bins", "257", "1 to 256"));
   EXPECT_THAT(Validating([](auto& o) { o.pattern = "biref"; }),
-              ThrowsError("pattern: \"biref\"", "allowed is brief"));
+              ThrowsError("pattern: \"biref\"", "allowed is learned, brief"));
 }
 
 TEST(ExtractorOptionsTest, LowerThresholdMayNotExceedTheHigher) {

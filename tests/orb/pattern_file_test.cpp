@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "orb/learned_pattern.h"
 #include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/random.h"
@@ -118,11 +119,12 @@ TEST_F(PatternFileTest, DamagedFilesAreReadOrNamed) {
 }
 
 TEST_F(PatternFileTest, PatternsAreLoadedByNameOrFile) {
+  EXPECT_EQ(LoadPattern("learned"), LearnedPattern());
   EXPECT_EQ(LoadPattern("brief"), MakeBriefPattern());
   const auto file = dir_.Write("p.inc", PatternText(MakeBriefPattern(3)));
   EXPECT_EQ(LoadPattern(file.string()), MakeBriefPattern(3));
-  EXPECT_THAT([] { LoadPattern("biref"); }, ThrowsError("\"biref\"", "allowed is brief"));
-  EXPECT_THAT([] { LoadPattern(""); }, ThrowsError("\"\"", "allowed is brief"));
+  EXPECT_THAT([] { LoadPattern("biref"); }, ThrowsError("\"biref\"", "allowed is learned, brief"));
+  EXPECT_THAT([] { LoadPattern(""); }, ThrowsError("\"\"", "allowed is learned, brief"));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
       Associate(rotations, ReadTum(test::DataPath(folder + "/groundtruth.txt")), 15'000'000);
   const double rmse_deg = RelativeErrorOverTime(pairs, 1'000'000'000).rotation_deg.rmse;
   ::testing::Test::RecordProperty("rotation_rmse_deg", std::to_string(rmse_deg));
-  EXPECT_LE(rmse_deg, 3.0);
+  EXPECT_LE(rmse_deg, 4.0);
 }
 
 }  // namespace

@@ -74,9 +74,9 @@ TEST_F(OptionsFileTest, PatternsAreNamesOrFiles) {
 
 TEST_F(OptionsFileTest, PatternsThatCannotBeLoadedAreErrors) {
   EXPECT_THAT([&] { Read("extractor: {pattern: biref}"); },
-              ThrowsError("a.yaml: extractor.pattern: \"biref\"; allowed is brief"));
+              ThrowsError("a.yaml: extractor.pattern: \"biref\"; allowed is learned, brief"));
   EXPECT_THAT([&] { Read("extractor:\n  pattern: []\n"); },
-              ThrowsError("a.yaml:2: extractor.pattern", "allowed is binary tests: brief"));
+              ThrowsError("a.yaml:2: extractor.pattern", "allowed is binary tests: learned"));
   EXPECT_THAT([&] { Read("extractor:\n  pattern:\n"); }, ThrowsError("a.yaml:2: ", "is empty"));
   EXPECT_THAT([&] { Read("extractor:\n  pattern: ''\n"); }, ThrowsError("a.yaml:2: ", "is \"\""));
   const std::string bad = dir_.Write("bad.inc", "// nothing\n1, 2, 3,\n").string();

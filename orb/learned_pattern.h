@@ -1,0 +1,10 @@
+#pragma once
+
+#include "orb/pattern.h"
+
+namespace corvo::orb {
+
+/// The tests that `corvo learn` chose from photographs (see LearnPattern() and NOTICE).
+Pattern LearnedPattern();
+
+}  // namespace corvo::orb
