@@ -6,6 +6,7 @@
 #include "orb/apportion.h"
 #include "orb/level_extractor.h"
 #include "orb/orientation.h"
+#include "orb/pattern_file.h"
 
 namespace corvo::bench {
 namespace {
@@ -23,7 +24,7 @@ StagedExtractor::StagedExtractor(int num_features)
       pyramid_(orb::OctaveScales(options_.num_levels, options_.scale_factor)),
       detectors_(options_.num_levels),
       selectors_(options_.num_levels),
-      describer_(orb::MakeBriefPattern(), options_.orientation_bins, options_.upright),
+      describer_(orb::LoadPattern(options_.pattern), options_.orientation_bins, options_.upright),
       areas_(options_.num_levels),
       num_corners_(options_.num_levels),
       quotas_(options_.num_levels),
