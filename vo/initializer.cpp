@@ -85,6 +85,7 @@ InitializationResult Initializer::AddFrame(Frame frame) {
   const std::vector<orb::Match> matches = MatchFrames(reference, newest);
   result.num_matches = static_cast<int>(matches.size());
   MakeMap(matches, result);
+  if (!result.map && !result.reference_from_newest) ContinueRotation(result);
   has_rotation_.back() = result.reference_from_newest.has_value();
   if (result.num_matches < options_.min_matches) MoveReference();
   return result;
@@ -107,7 +108,7 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches, Initialization
   result.num_inliers = motion.num_inliers;
   result.parallax_deg = motion.parallax_deg;
   if (motion.first_from_second_rotation) {
-    result.reference_from_newest = RefineRotation(*motion.first_from_second_rotation);
+    result.reference_from_newest = RefineRotation(first, *motion.first_from_second_rotation);
   }
   if (motion.reason != Reason::kNone) return;
   InitialMap map = AdjustTwoViews(motion, matches, first, second, camera_, noise_);
@@ -120,7 +121,7 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches, Initialization
 }
 
 TwoViewResult Initializer::EstimateMotion(const std::vector<orb::Match>& matches) {
-  const std::vector<RayMatch> rays = ToRayMatches(matches);
+  const std::vector<RayMatch> rays = ToRayMatches(frames_[reference_], matches);
   TwoViewResult motion = EstimateTwoViewMotion(rays, options_);
   if (motion.reason != Reason::kPlanar) return motion;
   const std::vector<PlanarMotion> kept =
@@ -128,13 +129,25 @@ TwoViewResult Initializer::EstimateMotion(const std::vector<orb::Match>& matches
   return kept.size() == 1 ? TriangulatePlanarMotion(rays, kept.front(), options_) : motion;
 }
 
-SO3 Initializer::RefineRotation(const SO3& reference_from_newest) const {
+void Initializer::ContinueRotation(InitializationResult& result) const {
+  const auto last = std::find(has_rotation_.rbegin(), has_rotation_.rend(), true);
+  if (last == has_rotation_.rend()) return;
+  const Frame& known = frames_[std::distance(last, has_rotation_.rend()) - 1];
+  const std::vector<orb::Match> matches = MatchFrames(known, frames_.back());
+  const TwoViewResult motion = JudgeRotation(ToRayMatches(known, matches), options_);
+  if (!motion.first_from_second_rotation) return;
+  result.reference = known.index;
+  result.reference_from_newest = RefineRotation(known, *motion.first_from_second_rotation);
+  result.reason = motion.reason;
+}
+
+SO3 Initializer::RefineRotation(const Frame& reference, const SO3& reference_from_newest) const {
   constexpr double kRadiusPx = 10;
   constexpr std::size_t kMinMatches = 10;
   const SO3 newest_from_reference = reference_from_newest.Inverse();
   const std::vector<RayMatch> matches =
-      ToRayMatches(MatchRotatedFrames(frames_[reference_], frames_.back(), newest_from_reference,
-                                      camera_, noise_.octave_scales, kRadiusPx));
+      ToRayMatches(reference, MatchRotatedFrames(reference, frames_.back(), newest_from_reference,
+                                                 camera_, noise_.octave_scales, kRadiusPx));
   if (matches.size() < kMinMatches) return reference_from_newest;
   return corvo::RefineRotation(matches, EstimateRotation(matches)).Inverse();
 }
@@ -160,8 +173,8 @@ void Initializer::MoveReference() {
   reference_ = nearest != kNoId ? nearest : half_way;
 }
 
-std::vector<RayMatch> Initializer::ToRayMatches(const std::vector<orb::Match>& matches) const {
-  const Frame& first = frames_[reference_];
+std::vector<RayMatch> Initializer::ToRayMatches(const Frame& first,
+                                                const std::vector<orb::Match>& matches) const {
   const Frame& second = frames_.back();
   std::vector<RayMatch> rays;
   for (const orb::Match& match : matches) {

@@ -35,7 +35,9 @@ struct InitialMap {
 struct InitializationResult {
   Reason reason = Reason::kNone;  ///< kNone: `map` is set.
   std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
-  int reference = kNoId;          ///< Input index of the reference frame.
+  /// Input index of the reference frame, or, where that one is of no use, of the last frame before
+  /// whose rotation is known.
+  int reference = kNoId;
   /// Set if between the two the camera turned or stood still, as far as the matches tell.
   std::optional<SO3> reference_from_newest;
   int num_matches = 0;
@@ -69,9 +71,13 @@ class Initializer {
   void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result);
   /// The twofold ambiguity of a plane is waited out.
   TwoViewResult EstimateMotion(const std::vector<orb::Match>& matches);
+  /// Where the reference is of no use, the rotation against the last frame that has one.
+  void ContinueRotation(InitializationResult& result) const;
   /// With more matches than without the rotation.
-  SO3 RefineRotation(const SO3& reference_from_newest) const;
-  std::vector<RayMatch> ToRayMatches(const std::vector<orb::Match>& matches) const;
+  SO3 RefineRotation(const Frame& reference, const SO3& reference_from_newest) const;
+  /// With the newest frame.
+  std::vector<RayMatch> ToRayMatches(const Frame& first,
+                                     const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
   KeypointNoise noise_;

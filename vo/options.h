@@ -10,7 +10,7 @@ namespace corvo {
 /// Two-view initialisation.
 struct InitializerOptions {
   int min_matches = 100;
-  double min_parallax_sigmas = 2.0;
+  double min_parallax_sigmas = 3.0;
   double max_homography_share = 0.45;
   int min_points = 50;
   double min_parallax_deg = 1.0;

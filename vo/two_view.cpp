@@ -176,23 +176,6 @@ void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& s
   }
 }
 
-/// Whether a rotation alone explains the matches; sets the parallax and, if so, rotation and
-/// reason.
-bool JudgeRotation(const std::vector<RayMatch>& matches, const InitializerOptions& options,
-                   TwoViewResult& result) {
-  constexpr std::size_t kMinMatches = 30;
-  const SO3 second_from_first = EstimateRotation(matches);
-  const double parallax = Median(ComputeParallax(matches, second_from_first));
-  result.parallax_deg = parallax * 180 / std::numbers::pi;
-  const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
-  if (matches.size() < kMinMatches || parallax >= max_parallax) return false;
-  result.first_from_second_rotation = second_from_first.Inverse();
-  const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
-  const bool turned = second_from_first.Angle() > min_turn;
-  result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
-  return true;
-}
-
 /// Whether a plane explains the matches; if so, sets the reason and the motions it allows.
 bool JudgePlane(const Eigen::Matrix3d& homography, const ModelScore& essential_score,
                 const std::vector<RayMatch>& matches, const InitializerOptions& options,
@@ -233,10 +216,26 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& homography,
   return score;
 }
 
+TwoViewResult JudgeRotation(const std::vector<RayMatch>& matches,
+                            const InitializerOptions& options) {
+  constexpr std::size_t kMinMatches = 30;
+  TwoViewResult result;
+  const SO3 second_from_first = EstimateRotation(matches);
+  const double parallax = Median(ComputeParallax(matches, second_from_first));
+  result.parallax_deg = parallax * 180 / std::numbers::pi;
+  const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
+  if (matches.size() < kMinMatches || parallax >= max_parallax) return result;
+  result.first_from_second_rotation = second_from_first.Inverse();
+  const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
+  const bool turned = second_from_first.Angle() > min_turn;
+  result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
+  return result;
+}
+
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options) {
-  TwoViewResult result;
-  if (JudgeRotation(matches, options, result)) return result;
+  TwoViewResult result = JudgeRotation(matches, options);
+  if (result.first_from_second_rotation) return result;
   if (static_cast<int>(matches.size()) < options.min_matches) {
     result.reason = Reason::kTooFewMatches;
     return result;

@@ -284,12 +284,12 @@ TEST_F(Run, ShowsABarOnATerminalOnly) {
   EXPECT_THAT(RunCorvo(arguments).err, IsEmpty());
 }
 
-/// `corvo run` on 100 pictures of a kitchen with this focal length; 585 px is published.
+/// `corvo run` on 200 pictures of a kitchen with this focal length; 585 px is published.
 CommandResult RunKitchen(const fs::path& folder, double focal_px) {
   const std::string focal = std::to_string(focal_px);
   WriteText(folder / "camera.yaml", "model: pinhole\nwidth: 640\nheight: 480\nfx: " + focal +
                                         "\nfy: " + focal + "\ncx: 320\ncy: 240\n");
-  return RunCorvo({"run", DataPath("7scenes/redkitchen"), "--gt", "none", "--count", "100",
+  return RunCorvo({"run", DataPath("7scenes/redkitchen"), "--gt", "none", "--count", "200",
                    "--camera", folder / "camera.yaml", "-o", folder / "result"});
 }
 

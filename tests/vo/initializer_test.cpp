@@ -96,6 +96,24 @@ TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
   EXPECT_FALSE(Add(Shifted(0.6)).reference_from_newest);
 }
 
+TEST_F(InitializerTest, ContinuesTheRotationOfAFrameInBetween) {
+  const auto turned = [](double angle) {
+    return SE3(SO3::Exp({0, angle, 0}), Eigen::Vector3d::Zero());
+  };
+  test::SceneView first = test::ObserveScene(scene_, camera_, turned(-0.55), 0.3, random_);
+  test::SceneView between = test::ObserveScene(scene_, camera_, turned(0), 0.3, random_);
+  first.frame.index = 7;
+  between.frame.index = 8;
+  initializer_.AddFrame(std::move(first.frame));
+  EXPECT_EQ(initializer_.AddFrame(std::move(between.frame)).reference, 7);
+  const InitializationResult result = Add(turned(0.55));
+  EXPECT_LT(result.num_matches, 30) << "the first and the last frame have too much in common";
+  EXPECT_EQ(result.reason, Reason::kRotationOnly) << ToString(result.reason);
+  EXPECT_EQ(result.reference, 8);
+  ASSERT_TRUE(result.reference_from_newest);
+  EXPECT_THAT(*result.reference_from_newest, test::IsRotationNear(turned(0.55).rotation(), 0.3));
+}
+
 TEST_F(InitializerTest, ForgetsTheOldestFrames) {
   InitializerOptions options;
   options.max_waiting_frames = 3;

@@ -89,6 +89,20 @@ TEST(TwoViewTest, FewMatchesTellARotationButNoMotion) {
   EXPECT_EQ(moved.reason, Reason::kTooFewMatches) << ToString(moved.reason);
 }
 
+TEST(TwoViewTest, ARotationIsJudgedByTheParallaxItLeaves) {
+  test::Random random(9);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const SO3 turned = SO3::Exp({0.02, 0.15, -0.03});
+  double parallax_deg = 0;
+  for (const double moved : {0.0, 0.1, 0.4, 1.6}) {
+    const TwoViewResult result =
+        JudgeRotation(MatchViews(scene, SE3(turned, {moved, 0, 0}), 0.5, 0, random), {});
+    EXPECT_EQ(result.first_from_second_rotation.has_value(), moved < 0.2) << moved;
+    EXPECT_GT(result.parallax_deg, parallax_deg) << moved;
+    parallax_deg = result.parallax_deg;
+  }
+}
+
 TEST(TwoViewTest, StandingStillIsSaid) {
   test::Random random(3);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
