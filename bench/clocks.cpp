@@ -15,6 +15,8 @@ double ReadMs(clockid_t clock) {
 
 double ThreadTimeMs() { return ReadMs(CLOCK_THREAD_CPUTIME_ID); }
 
+double ProcessTimeMs() { return ReadMs(CLOCK_PROCESS_CPUTIME_ID); }
+
 double WallTimeMs() { return ReadMs(CLOCK_MONOTONIC); }
 
 }  // namespace corvo::bench

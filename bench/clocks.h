@@ -6,6 +6,9 @@ namespace corvo::bench {
 /// it.
 double ThreadTimeMs();
 
+/// Processor time of all threads of the process, ms.
+double ProcessTimeMs();
+
 /// Time since some moment, ms.
 double WallTimeMs();
 

@@ -1,0 +1,150 @@
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "apps/environment.h"
+#include "bench/odometry/child_process.h"
+#include "bench/odometry/cost.h"
+#include "bench/odometry/report.h"
+#include "bench/odometry/scenarios.h"
+#include "vo/config.h"
+
+namespace corvo::bench {
+namespace {
+
+struct Arguments {
+  std::string scenarios;
+  std::string perturbations;
+  std::string config;
+  std::string json;
+  int jobs = 2;
+  bool rendered = false;
+  bool cost = false;
+  bool details = false;
+};
+
+/// Between a process and its child.
+template <typename Result>
+std::string ToBytes(const Result& result) {
+  static_assert(std::is_trivially_copyable_v<Result>);
+  return {reinterpret_cast<const char*>(&result), sizeof result};
+}
+
+template <typename Result>
+Result FromBytes(const std::string& bytes) {
+  Result result;
+  std::memcpy(&result, bytes.data(), sizeof result);
+  return result;
+}
+
+std::vector<Scenario> SelectScenarios(const Arguments& arguments) {
+  std::vector<Scenario> selected;
+  for (const auto& scenarios : {RecordedScenarios(), RenderedScenarios()}) {
+    for (const Scenario& scenario : scenarios) {
+      if (!std::regex_search(scenario.title, std::regex(arguments.scenarios))) continue;
+      const bool is_rendered = scenario.title.rfind("rendered", 0) == 0;
+      if (arguments.rendered || !is_rendered) selected.push_back(scenario);
+    }
+  }
+  return selected;
+}
+
+std::vector<Trial> RunTrials(const std::vector<Scenario>& scenarios, const Arguments& arguments,
+                             const OdometryOptions& options) {
+  std::vector<Trial> trials;
+  std::vector<std::function<std::string()>> tasks;
+  for (const Scenario& scenario : scenarios) {
+    for (const Perturbation& perturbation : scenario.perturbations) {
+      if (!std::regex_search(perturbation.title, std::regex(arguments.perturbations))) continue;
+      trials.push_back({scenario.title, perturbation, {}});
+      tasks.push_back([make = scenario.make, perturbation, options] {
+        return ToBytes(RunTrial(Perturb(make(), perturbation), options));
+      });
+    }
+  }
+  int num_done = 0;
+  RunInChildren(tasks, arguments.jobs, [&](int task, const ChildOutcome& outcome) {
+    trials[task].result = FromBytes<TrialResult>(outcome.output);
+    trials[task].result.peak_memory_mb = outcome.peak_memory_mb;
+    fmt::print(stderr, "\r{} of {}", ++num_done, tasks.size());
+  });
+  fmt::print(stderr, "\n");
+  return trials;
+}
+
+/// Of the sequences that stand for their size.
+void PrintCosts(const OdometryOptions& options) {
+  constexpr int kRepeats = 3;
+  std::vector<Scenario> scenarios;
+  std::vector<std::function<std::string()>> tasks;
+  for (const Scenario& scenario : RecordedScenarios()) {
+    if (scenario.title != "KITTI 03, nominal" && scenario.title != "7-Scenes redkitchen") continue;
+    scenarios.push_back(scenario);
+    tasks.push_back(
+        [scenario, options] { return ToBytes(MeasureCost(scenario.make(), options, kRepeats)); });
+  }
+  fmt::print(
+      "| processor time | keypoints | Process, ms a frame | cv::ORB, ms | ratio | p99 / median "
+      "|\n|---|---|---|---|---|---|\n");
+  RunInChildren(tasks, 1, [&](int task, const ChildOutcome& outcome) {
+    const auto cost = FromBytes<Cost>(outcome.output);
+    fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f}x | {:.2f}x |\n", scenarios[task].title,
+               cost.keypoints, cost.odometry_ms, cost.orb_ms, cost.ratio, cost.p99_over_median);
+  });
+}
+
+void AddOptions(CLI::App& app, Arguments& arguments) {
+  app.add_option("--scenarios", arguments.scenarios, "those whose title matches this expression");
+  app.add_option("--perturbations", arguments.perturbations, "those whose title matches");
+  app.add_option("--config", arguments.config, "options file instead of the defaults");
+  app.add_option("--json", arguments.json, "where every figure is written");
+  app.add_option("--jobs", arguments.jobs, "trials at once")->check(CLI::Range(1, 1024));
+  app.add_flag("--rendered", arguments.rendered, "also the rendered scenarios; they take minutes");
+  app.add_flag("--cost", arguments.cost, "processor time against cv::ORB instead");
+  app.add_flag("--details", arguments.details, "a line for each trial, too");
+}
+
+void WriteJson(const std::string& file, const std::vector<Trial>& trials) {
+  std::ofstream(file) << nlohmann::ordered_json{{"environment", DescribeMachine()},
+                                                {"trials", ToJson(trials)}}
+                             .dump(2)
+                      << '\n';
+}
+
+int Main(int argc, char** argv) {
+  CLI::App app("Accuracy, completeness and cost of corvo's odometry on perturbed sequences.");
+  Arguments arguments;
+  AddOptions(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  const OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
+  if (arguments.cost) {
+    PrintCosts(options);
+    return 0;
+  }
+  const std::vector<Trial> trials = RunTrials(SelectScenarios(arguments), arguments, options);
+  if (arguments.details) fmt::print("{}\n", TrialTable(trials));
+  fmt::print("{}", SummaryTable(trials));
+  if (!arguments.json.empty()) WriteJson(arguments.json, trials);
+  return 0;
+}
+
+}  // namespace
+}  // namespace corvo::bench
+
+int main(int argc, char** argv) {
+  try {
+    return corvo::bench::Main(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "corvo_odometry_bench: {}\n", error.what());
+    return 1;
+  }
+}

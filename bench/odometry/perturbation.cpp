@@ -1,0 +1,86 @@
+#include "bench/odometry/perturbation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+namespace corvo::bench {
+namespace {
+
+std::vector<int> SelectPictures(int size, const Perturbation& perturbation) {
+  std::vector<int> pictures;
+  for (int i = perturbation.start; i < size; i += perturbation.stride) pictures.push_back(i);
+  if (perturbation.backwards) std::reverse(pictures.begin(), pictures.end());
+  return pictures;
+}
+
+/// Poses with the times `mirror - t`, ascending again.
+PoseSequence Mirror(PoseSequence poses, TimeNs mirror) {
+  for (TimedPose& pose : poses) pose.time_ns = mirror - pose.time_ns;
+  std::reverse(poses.begin(), poses.end());
+  return poses;
+}
+
+cv::Mat AddNoise(const cv::Mat& picture, double sigma, int index) {
+  cv::RNG random(1 + static_cast<std::uint64_t>(index));
+  cv::Mat noise(picture.size(), CV_32FC1), noisy;
+  random.fill(noise, cv::RNG::NORMAL, 0, sigma);
+  cv::add(picture, noise, noisy, cv::noArray(), CV_8U);
+  return noisy;
+}
+
+cv::Mat Compress(const cv::Mat& picture, int quality) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
+}
+
+}  // namespace
+
+std::vector<Perturbation> PerturbationSet() {
+  std::vector<Perturbation> set;
+  for (const int start : {0, 3, 7, 13, 20}) {
+    set.push_back({.title = fmt::format("start {}", start), .start = start});
+  }
+  set.push_back({.title = "stride 2", .stride = 2});
+  set.push_back({.title = "noise 5", .noise_sigma = 5});
+  set.push_back({.title = "gain 20%", .gain_swing = 0.2});
+  set.push_back({.title = "JPEG 50", .jpeg_quality = 50});
+  set.push_back({.title = "backwards", .backwards = true});
+  return set;
+}
+
+Recording Perturb(const Recording& recording, const Perturbation& perturbation) {
+  const std::vector<int> pictures = SelectPictures(recording.size(), perturbation);
+  Recording perturbed = recording;
+  perturbed.times.clear();
+  const TimeNs mirror = recording.times.front() + recording.times.back();
+  for (const int i : pictures) {
+    perturbed.times.push_back(perturbation.backwards ? mirror - recording.times[i]
+                                                     : recording.times[i]);
+  }
+  if (perturbation.backwards) perturbed.truth = Mirror(recording.truth, mirror);
+  perturbed.picture = [pictures, perturbation, picture = recording.picture](int i) {
+    return Degrade(picture(pictures[i]), perturbation, pictures[i]);
+  };
+  return perturbed;
+}
+
+cv::Mat Degrade(const cv::Mat& picture, const Perturbation& perturbation, int index) {
+  cv::Mat degraded = picture;
+  if (perturbation.gain_swing != 0) {
+    const double phase = 2 * std::numbers::pi * index / 50;
+    picture.convertTo(degraded, CV_8U, 1 + perturbation.gain_swing * std::sin(phase));
+  }
+  if (perturbation.noise_sigma > 0) {
+    degraded = AddNoise(degraded, perturbation.noise_sigma, index);
+  }
+  if (perturbation.jpeg_quality > 0) degraded = Compress(degraded, perturbation.jpeg_quality);
+  return degraded;
+}
+
+}  // namespace corvo::bench

@@ -1,0 +1,44 @@
+#include "bench/odometry/recording.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "apps/ground_truth.h"
+#include "apps/image_source.h"
+#include "orb/error.h"
+#include "vo/config.h"
+
+namespace corvo::bench {
+namespace {
+
+constexpr double kFrameRateHz = 30;  // Of folders of pictures without times: 7-Scenes.
+
+Camera ChooseCamera(const RecordingFiles& files, const ImageList& list) {
+  if (!files.camera.empty()) return ReadCameraFile(files.camera).camera;
+  if (list.camera) return Camera(*list.camera);
+  throw Error(fmt::format("{}: ships no calibration", files.folder.string()));
+}
+
+}  // namespace
+
+Recording ReadRecording(const RecordingFiles& files, int max_count) {
+  ImageList list = ListImages(files.folder, kFrameRateHz);
+  Recording recording{ChooseCamera(files, list), {}, {}, {}};
+  for (const TimedFile& image : list.images) recording.times.push_back(image.time_ns);
+  if (!files.truth.empty()) recording.truth = ReadGroundTruth(files.truth, recording.times);
+  if (recording.size() > max_count) recording.times.resize(max_count);
+  recording.picture = [images = std::move(list.images)](int i) {
+    return ReadGreyImage(images[i].file);
+  };
+  return recording;
+}
+
+Recording Film(const synthetic::Sequence& sequence) {
+  Recording recording{sequence.camera(), {}, sequence.poses(), {}};
+  for (const TimedPose& pose : sequence.poses()) recording.times.push_back(pose.time_ns);
+  recording.picture = [sequence](int i) { return sequence.Render(i); };
+  return recording;
+}
+
+}  // namespace corvo::bench

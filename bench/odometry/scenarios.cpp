@@ -1,0 +1,77 @@
+#include "bench/odometry/scenarios.h"
+
+#include <filesystem>
+
+#include "tests/support/data_path.h"
+
+namespace corvo::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path ShippedCamera(const std::string& name) { return test::SourceDir() / "configs" / name; }
+
+/// `camera` is the name of a shipped one; empty: the dataset's own.
+Scenario Recorded(std::string title, const std::string& folder, const std::string& truth,
+                  const std::string& camera, int max_count = 500) {
+  RecordingFiles files;
+  files.folder = test::DataPath(folder);
+  if (!truth.empty()) files.truth = test::DataPath(truth);
+  if (!camera.empty()) files.camera = ShippedCamera(camera);
+  return {std::move(title), [files, max_count] { return ReadRecording(files, max_count); },
+          PerturbationSet()};
+}
+
+Scenario RecordedKitti(const std::string& number, const std::string& camera) {
+  return Recorded("KITTI " + number + (camera.empty() ? ", nominal" : ", with distortion"),
+                  "kitti/sequences/" + number, "kitti/poses/" + number + ".txt", camera);
+}
+
+/// At half the frame rate the car turns, or drives, too far from one picture to the next.
+Scenario OnlyReportHalfRate(Scenario scenario) {
+  for (Perturbation& perturbation : scenario.perturbations) {
+    perturbation.is_judged = perturbation.stride == 1;
+  }
+  return scenario;
+}
+
+}  // namespace
+
+std::vector<Scenario> RecordedScenarios() {
+  const std::string rpy = "tum/rgbd_dataset_freiburg1_rpy";
+  const std::string euroc = "euroc/MH_01_easy/mav0";
+  return {
+      RecordedKitti("03", "kitti_03_distorted.yaml"),
+      RecordedKitti("03", ""),
+      OnlyReportHalfRate(RecordedKitti("05", "kitti_04-12_distorted.yaml")),
+      OnlyReportHalfRate(RecordedKitti("05", "")),
+      OnlyReportHalfRate(RecordedKitti("06", "kitti_04-12_distorted.yaml")),
+      OnlyReportHalfRate(RecordedKitti("06", "")),
+      Recorded("7-Scenes redkitchen", "7scenes/redkitchen", "7scenes/redkitchen/groundtruth.txt",
+               "7scenes.yaml"),
+      Recorded("EuRoC MH_01", euroc, euroc + "/state_groundtruth_estimate0/data.csv", ""),
+      Recorded("EuRoC V1_01, standing still", "euroc/V1_01_easy/mav0", "", ""),
+      Recorded("TUM fr1/rpy", rpy, rpy + "/groundtruth.txt", "tum_fr1.yaml", 120),
+  };
+}
+
+std::vector<Scenario> RenderedScenarios() {
+  const auto street = [] {
+    synthetic::SequenceOptions options;
+    options.frames = 2700;
+    options.effects.moving_share = 0.2;
+    return Film(synthetic::MakeStreet(options));
+  };
+  const auto room = [] {
+    synthetic::SequenceOptions options;
+    options.frames = 600;
+    options.noise_sigma = 3;
+    options.effects.dark = {4, 3};
+    options.effects.blur = {12, 2};
+    return Film(synthetic::MakeRoom(options));
+  };
+  return {{"rendered street, 2 km, 20% moving", street, {Perturbation()}},
+          {"rendered room, 3 s dark, 2 s blur", room, {Perturbation()}}};
+}
+
+}  // namespace corvo::bench

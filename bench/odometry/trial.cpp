@@ -1,0 +1,85 @@
+#include "bench/odometry/trial.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "bench/clocks.h"
+#include "orb/error.h"
+#include "vo/evaluation.h"
+#include "vo/odometry.h"
+
+namespace corvo::bench {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+void CountFrames(const Trajectory& trajectory, TrialResult& result) {
+  std::set<int> segments;
+  bool was_posed = false;
+  for (const FrameResult& frame : trajectory.frames) {
+    const bool is_posed = frame.world_from_camera.has_value();
+    if (is_posed) segments.insert(frame.segment);
+    result.losses += was_posed && !is_posed;
+    was_posed = is_posed;
+  }
+  result.frames = static_cast<int>(trajectory.frames.size());
+  result.posed_share = trajectory.PosedShare();
+  result.rotation_share = static_cast<double>(trajectory.Rotations().size()) / result.frames;
+  result.segments = static_cast<int>(segments.size());
+}
+
+void MeasureRotation(const Trajectory& trajectory, const PoseSequence& truth, TrialResult& result) {
+  const PoseSequence rotations = trajectory.Rotations();
+  const auto pairs = Associate(rotations, truth, HalfFrame(rotations));
+  if (!pairs.empty()) {
+    result.rotation_deg = RelativeErrorOverTime(pairs, 1'000'000'000).rotation_deg.rmse;
+  }
+}
+
+void MeasurePoses(const Evaluation& evaluation, TrialResult& result) {
+  result.ate = evaluation.absolute.rmse;
+  result.rpe = evaluation.relative_frames.translation.rmse;
+  if (evaluation.kitti) {
+    result.t_rel_percent = evaluation.kitti->t_rel_percent;
+    result.r_rel_deg_per_100m = evaluation.kitti->r_rel_deg_per_100m;
+  }
+  if (evaluation.scale_drift) {
+    result.scale_drift = evaluation.scale_drift->last_over_first;
+    result.scale_percent_per_km = evaluation.scale_drift->percent_per_km;
+  }
+}
+
+TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
+  TrialResult result;
+  result.ate = result.t_rel_percent = result.r_rel_deg_per_100m = result.rpe = kUnknown;
+  result.rotation_deg = result.scale_drift = result.scale_percent_per_km = kUnknown;
+  CountFrames(trajectory, result);
+  if (truth.empty()) return result;
+  MeasureRotation(trajectory, truth, result);
+  try {
+    MeasurePoses(Evaluate(trajectory.PosedFrames(), truth), result);
+  } catch (const Error&) {  // Too few poses to align: they stay unknown.
+  }
+  return result;
+}
+
+}  // namespace
+
+TrialResult RunTrial(const Recording& recording, const OdometryOptions& options) {
+  Odometry odometry(recording.camera, options);
+  double wall_ms = 0, processor_ms = 0;
+  for (int i = 0; i < recording.size(); ++i) {
+    const cv::Mat picture = recording.picture(i);
+    const double wall = WallTimeMs(), processor = ProcessTimeMs();
+    odometry.Process(picture, recording.times[i]);
+    wall_ms += WallTimeMs() - wall;
+    processor_ms += ProcessTimeMs() - processor;
+  }
+  TrialResult result = Evaluated(odometry.Finish(), recording.truth);
+  result.wall_ms = wall_ms / result.frames;
+  result.processor_ms = processor_ms / result.frames;
+  return result;
+}
+
+}  // namespace corvo::bench
