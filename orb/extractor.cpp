@@ -103,6 +103,25 @@ std::vector<int> OrderByRow(std::span<const Keypoint> keypoints) {
   return order;
 }
 
+Patch CutPatch(const PyramidLevel& level, const Keypoint& keypoint) {
+  const int left = RoundHalfUp(level.LevelX(keypoint.x)) - Patch::kRadius;
+  const int top = RoundHalfUp(level.LevelY(keypoint.y)) - Patch::kRadius;
+  Patch patch;
+  for (int row = 0; row < Patch::kSide; ++row) {
+    std::copy_n(level.image.ptr(top + row) + left, Patch::kSide,
+                patch.pixels.begin() + row * Patch::kSide);
+  }
+  return patch;
+}
+
+void CutPatches(const std::vector<PyramidLevel>& levels, std::span<const Keypoint> keypoints,
+                std::vector<Patch>& patches) {
+  patches.resize(keypoints.size());
+  for (std::size_t i = 0; i < keypoints.size(); ++i) {
+    patches[i] = CutPatch(levels[keypoints[i].octave], keypoints[i]);
+  }
+}
+
 }  // namespace
 
 /// What one call of Extract() works in.
@@ -173,6 +192,16 @@ Features Extractor::Extract(const cv::Mat& image, const cv::Mat& mask) const {
 }
 
 void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& features) const {
+  Extract(image, mask, features, nullptr);
+}
+
+void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& features,
+                        std::vector<Patch>& patches) const {
+  Extract(image, mask, features, &patches);
+}
+
+void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& features,
+                        std::vector<Patch>* patches) const {
   CheckInput(image, mask);
   std::unique_ptr<Buffers> buffers = buffers_->Take(octave_scales_, threads_);
   buffers->pyramid.Build(image, buffers->workers);
@@ -192,6 +221,7 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
                            std::span(features.keypoints).subspan(start, count),
                            std::span(features.descriptors).subspan(start, count));
   });
+  if (patches != nullptr) CutPatches(levels, features.keypoints, *patches);
   buffers->pyramid.ReleaseInput();
   buffers_->Return(std::move(buffers));
 }

@@ -8,6 +8,7 @@
 
 #include "orb/descriptor.h"
 #include "orb/options.h"
+#include "orb/patch.h"
 #include "orb/types.h"
 
 namespace corvo::orb {
@@ -40,6 +41,10 @@ class Extractor {
   /// nothing is allocated after the first.
   void Extract(const cv::Mat& image, const cv::Mat& mask, Features& features) const;
 
+  /// As above, and patches[i] is set to the pixels around keypoint i.
+  void Extract(const cv::Mat& image, const cv::Mat& mask, Features& features,
+               std::vector<Patch>& patches) const;
+
   /// Describes given keypoints, each at the nearest pixel of its octave's level. An angle outside
   /// [0, 360), as detectors without orientation give, is measured. Left out is what cannot be
   /// described: keypoints less than kBorder px from their level's edge, and octaves that the
@@ -52,6 +57,10 @@ class Extractor {
   const ExtractorOptions& options() const { return options_; }
 
  private:
+  /// `patches` may be null.
+  void Extract(const cv::Mat& image, const cv::Mat& mask, Features& features,
+               std::vector<Patch>* patches) const;
+
   ExtractorOptions options_;
   int threads_;
   std::vector<double> octave_scales_;

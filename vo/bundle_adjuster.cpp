@@ -1,7 +1,6 @@
 #include "vo/bundle_adjuster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -16,107 +15,88 @@
 namespace corvo {
 namespace {
 
-using PoseBlock = std::array<double, 7>;
-using PointBlock = std::array<double, 3>;
+SE3 ToPose(const Bundle::View& view) { return SE3::FromData(view.local_from_camera.data()); }
 
-/// The window's own copy of poses, points and observations, in the frame of its oldest keyframe.
-struct Blocks {
-  struct Term {
-    int pose;
-    int point;
-    Observation observation;
-    LandmarkId landmark;
-    bool use = true;
+std::vector<Bundle::View> CopyViews(const Map& map, const AdjustmentWindow& window,
+                                    const SE3& local_from_world) {
+  std::vector<Bundle::View> views;
+  const auto copy = [&](KeyframeId id, bool is_held) {
+    views.push_back({id, is_held, (local_from_world * map.WorldFromKeyframe(id)).data()});
   };
-
-  SE3 world_from_local;
-  std::vector<KeyframeId> keyframes;  // Ascending.
-  std::vector<char> held;
-  std::vector<PoseBlock> poses;
-  std::vector<PointBlock> points;
-  std::vector<Term> terms;
-};
-
-SE3 ToPose(const PoseBlock& block) { return SE3::FromData(block.data()); }
-Eigen::Vector3d ToPoint(const PointBlock& block) {
-  return Eigen::Map<const Eigen::Vector3d>(block.data());
+  for (const KeyframeId id : window.moving) copy(id, false);
+  for (const KeyframeId id : window.held) copy(id, true);
+  std::sort(views.begin(), views.end(),
+            [](const auto& a, const auto& b) { return a.keyframe < b.keyframe; });
+  return views;
 }
 
-void CopyKeyframes(const Map& map, const AdjustmentWindow& window, Blocks& blocks) {
-  std::map<KeyframeId, bool> held;
-  for (const KeyframeId id : window.moving) held[id] = false;
-  for (const KeyframeId id : window.held) held[id] = true;
-  blocks.world_from_local = map.WorldFromKeyframe(held.begin()->first);
-  const SE3 local_from_world = blocks.world_from_local.Inverse();
-  for (const auto& [id, is_held] : held) {
-    const Eigen::Matrix<double, 7, 1> data = (local_from_world * map.WorldFromKeyframe(id)).data();
-    PoseBlock block;
-    std::copy(data.data(), data.data() + 7, block.begin());
-    blocks.keyframes.push_back(id);
-    blocks.held.push_back(is_held);
-    blocks.poses.push_back(block);
+/// Index of a keyframe's view; kNoId if the bundle has none.
+int FindView(const std::vector<Bundle::View>& views, KeyframeId keyframe) {
+  const auto found =
+      std::lower_bound(views.begin(), views.end(), keyframe,
+                       [](const auto& view, KeyframeId id) { return view.keyframe < id; });
+  if (found == views.end() || found->keyframe != keyframe) return kNoId;
+  return static_cast<int>(found - views.begin());
+}
+
+void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world,
+                  const KeypointNoise& noise, Bundle& bundle) {
+  const Landmark& landmark = *map.FindLandmark(id);
+  const int point = static_cast<int>(bundle.points.size());
+  bundle.points.push_back({id, local_from_world * landmark.in_world});
+  for (const Observation& observation : landmark.observations) {
+    const int view = FindView(bundle.views, observation.keyframe);
+    if (view == kNoId) continue;
+    const Frame& frame = map.keyframe(observation.keyframe).frame;
+    const int k = observation.keypoint;
+    bundle.sightings.push_back({view, point, k, frame.pixel(k), noise.Sigma(frame, k)});
   }
 }
 
-void CopyLandmarks(const Map& map, const AdjustmentWindow& window, Blocks& blocks) {
-  const SE3 local_from_world = blocks.world_from_local.Inverse();
-  for (const LandmarkId id : window.landmarks) {
-    const Landmark& landmark = *map.FindLandmark(id);
-    const Eigen::Vector3d in_local = local_from_world * landmark.in_world;
-    const int point = static_cast<int>(blocks.points.size());
-    blocks.points.push_back({in_local.x(), in_local.y(), in_local.z()});
-    for (const Observation& observation : landmark.observations) {
-      const auto found =
-          std::lower_bound(blocks.keyframes.begin(), blocks.keyframes.end(), observation.keyframe);
-      if (found == blocks.keyframes.end() || *found != observation.keyframe) continue;
-      const int pose = static_cast<int>(found - blocks.keyframes.begin());
-      blocks.terms.push_back({pose, point, observation, id});
-    }
-  }
+std::vector<SE3> InvertPoses(const Bundle& bundle) {
+  std::vector<SE3> poses;
+  for (const Bundle::View& view : bundle.views) poses.push_back(ToPose(view).Inverse());
+  return poses;
 }
 
-PointObservation MeasurementOf(const Map& map, const Blocks& blocks, const Blocks::Term& term,
-                               const KeypointNoise& noise) {
-  const Frame& frame = map.keyframe(term.observation.keyframe).frame;
-  const int k = term.observation.keypoint;
-  return {ToPoint(blocks.points[term.point]), frame.pixel(k), noise.Sigma(frame.keypoint(k))};
-}
-
-/// Sets aside the terms over the 95% quantile, or, before the first solve, only those that do not
-/// project at all.
-void SetOutliersAside(const Map& map, const Camera& camera, const KeypointNoise& noise,
-                      double max_squared_error, Blocks& blocks) {
-  for (Blocks::Term& term : blocks.terms) {
-    const double error = SquaredError(MeasurementOf(map, blocks, term, noise),
-                                      ToPose(blocks.poses[term.pose]).Inverse(), camera);
-    term.use = error <= max_squared_error;
+/// Marks as outliers the sightings over a squared error, in units of sigma².
+void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle) {
+  const std::vector<SE3> camera_from_local = InvertPoses(bundle);
+  for (Bundle::Sighting& sighting : bundle.sightings) {
+    const PointObservation observation{bundle.points[sighting.point].in_local, sighting.pixel,
+                                       sighting.sigma_px};
+    sighting.is_inlier =
+        SquaredError(observation, camera_from_local[sighting.view], camera) <= max_squared_error;
   }
 }
 
 /// The pose farthest from the oldest one, whose distance determines the scale best.
-double* FarthestPose(Blocks& blocks, const ceres::Problem& problem) {
+double* FarthestPose(Bundle& bundle, const ceres::Problem& problem) {
   double* farthest = nullptr;
   double max_distance = 0;
-  for (PoseBlock& pose : blocks.poses) {
-    const double distance = ToPose(pose).translation().norm();
-    if (distance <= max_distance || !problem.HasParameterBlock(pose.data())) continue;
-    farthest = pose.data();
+  for (Bundle::View& view : bundle.views) {
+    const double distance = ToPose(view).translation().norm();
+    double* pose = view.local_from_camera.data();
+    if (distance <= max_distance || !problem.HasParameterBlock(pose)) continue;
+    farthest = pose;
     max_distance = distance;
   }
   return farthest;
 }
 
-/// Holds poses: the held keyframes, or else the oldest one and the farthest one's distance from it.
-void FixGauge(Blocks& blocks, ceres::Problem& problem) {
-  const int num_held = static_cast<int>(std::count(blocks.held.begin(), blocks.held.end(), 1));
-  for (std::size_t i = 0; i < blocks.poses.size(); ++i) {
-    double* pose = blocks.poses[i].data();
+/// Holds poses: the held views, or else the oldest one and the farthest one's distance from it.
+void FixGauge(Bundle& bundle, ceres::Problem& problem) {
+  const auto num_held = std::count_if(bundle.views.begin(), bundle.views.end(),
+                                      [](const Bundle::View& view) { return view.is_held; });
+  for (Bundle::View& view : bundle.views) {
+    double* pose = view.local_from_camera.data();
     if (!problem.HasParameterBlock(pose)) continue;
     problem.SetManifold(pose, new SE3Manifold);
-    if (blocks.held[i] || (num_held < 2 && i == 0)) problem.SetParameterBlockConstant(pose);
+    const bool is_oldest = &view == &bundle.views.front();
+    if (view.is_held || (num_held < 2 && is_oldest)) problem.SetParameterBlockConstant(pose);
   }
-  const bool scale_is_free = num_held == 0 || (num_held == 1 && blocks.held[0]);
-  double* farthest = scale_is_free ? FarthestPose(blocks, problem) : nullptr;
+  const bool scale_is_free = num_held == 0 || (num_held == 1 && bundle.views.front().is_held);
+  double* farthest = scale_is_free ? FarthestPose(bundle, problem) : nullptr;
   if (farthest == nullptr) return;
   problem.SetManifold(
       farthest,
@@ -136,46 +116,21 @@ ceres::Solver::Options SolverOptions(int max_iterations) {
   return options;
 }
 
-ceres::Solver::Summary Solve(const Map& map, const Camera& camera, const KeypointNoise& noise,
-                             bool robust, int max_iterations, Blocks& blocks) {
+ceres::Solver::Summary Solve(const Camera& camera, int max_iterations, Bundle& bundle) {
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
   ceres::Problem problem(problem_options);
-  for (const Blocks::Term& term : blocks.terms) {
-    if (!term.use) continue;
-    const PointObservation measured = MeasurementOf(map, blocks, term, noise);
-    problem.AddResidualBlock(new ReprojectionCost(camera, measured.pixel, measured.sigma_px),
-                             robust ? &huber : nullptr, blocks.poses[term.pose].data(),
-                             blocks.points[term.point].data());
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    if (!sighting.is_inlier) continue;
+    problem.AddResidualBlock(new ReprojectionCost(camera, sighting.pixel, sighting.sigma_px),
+                             &huber, bundle.views[sighting.view].local_from_camera.data(),
+                             bundle.points[sighting.point].in_local.data());
   }
-  FixGauge(blocks, problem);
+  FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
   return summary;
-}
-
-void WriteBack(const Blocks& blocks, const AdjustmentWindow& window, Map& map) {
-  for (std::size_t i = 0; i < blocks.poses.size(); ++i) {
-    if (!blocks.held[i]) {
-      map.SetPose(blocks.keyframes[i], blocks.world_from_local * ToPose(blocks.poses[i]));
-    }
-  }
-  for (std::size_t i = 0; i < blocks.points.size(); ++i) {
-    map.SetPosition(window.landmarks[i], blocks.world_from_local * ToPoint(blocks.points[i]));
-  }
-}
-
-std::vector<Observation> RemoveOutliers(const Blocks& blocks, Map& map) {
-  std::vector<Observation> removed;
-  for (const Blocks::Term& term : blocks.terms) {
-    if (term.use) continue;
-    removed.push_back(term.observation);
-    if (map.FindLandmark(term.landmark) != nullptr) {
-      map.RemoveObservation(term.landmark, term.observation.keyframe);
-    }
-  }
-  return removed;
 }
 
 }  // namespace
@@ -202,31 +157,50 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
   return window;
 }
 
-AdjustmentResult AdjustBundle(Map& map, const AdjustmentWindow& window, const Camera& camera,
-                              const KeypointNoise& noise, const BundleAdjusterOptions& options) {
-  Blocks blocks;
-  CopyKeyframes(map, window, blocks);
-  CopyLandmarks(map, window, blocks);
-  AdjustmentResult result;
-  result.num_observations = static_cast<int>(blocks.terms.size());
+Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise) {
+  Bundle bundle;
+  KeyframeId oldest = window.moving.front();
+  if (!window.held.empty()) oldest = std::min(oldest, window.held.front());
+  bundle.world_from_local = map.WorldFromKeyframe(oldest);
+  const SE3 local_from_world = bundle.world_from_local.Inverse();
+  bundle.views = CopyViews(map, window, local_from_world);
+  bundle.points.reserve(window.landmarks.size());
+  for (const LandmarkId id : window.landmarks) {
+    CopyLandmark(map, id, local_from_world, noise, bundle);
+  }
+  return bundle;
+}
 
+AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions& options,
+                              Bundle& bundle) {
   constexpr double kProjects = 1e12;
-  SetOutliersAside(map, camera, noise, kProjects, blocks);
-  const ceres::Solver::Summary first =
-      Solve(map, camera, noise, true, options.robust_iterations, blocks);
-  if (!first.IsSolutionUsable()) return result;
-  SetOutliersAside(map, camera, noise, kChiSquare2Dof95, blocks);
-  const ceres::Solver::Summary second =
-      Solve(map, camera, noise, false, options.final_iterations, blocks);
-  if (!second.IsSolutionUsable()) return result;
-  SetOutliersAside(map, camera, noise, kChiSquare2Dof95, blocks);
+  const Bundle before = bundle;
+  MarkOutliers(camera, kProjects, bundle);
+  const ceres::Solver::Summary summary = Solve(camera, options.max_iterations, bundle);
+  if (!summary.IsSolutionUsable()) {
+    bundle = before;
+    return {};
+  }
+  MarkOutliers(camera, kChiSquare2Dof95, bundle);
+  return {true, summary.initial_cost, summary.final_cost};
+}
 
-  result.usable = true;
-  result.initial_cost = first.initial_cost;
-  result.final_cost = second.final_cost;
-  WriteBack(blocks, window, map);
-  result.outliers = RemoveOutliers(blocks, map);
-  return result;
+std::vector<Observation> WriteBack(const Bundle& bundle, Map& map) {
+  for (const Bundle::View& view : bundle.views) {
+    if (!view.is_held) map.SetPose(view.keyframe, bundle.world_from_local * ToPose(view));
+  }
+  for (const Bundle::Point& point : bundle.points) {
+    map.SetPosition(point.landmark, bundle.world_from_local * point.in_local);
+  }
+  std::vector<Observation> outliers;
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    if (sighting.is_inlier) continue;
+    const KeyframeId keyframe = bundle.views[sighting.view].keyframe;
+    const LandmarkId landmark = bundle.points[sighting.point].landmark;
+    outliers.push_back({keyframe, sighting.keypoint});
+    if (map.FindLandmark(landmark) != nullptr) map.RemoveObservation(landmark, keyframe);
+  }
+  return outliers;
 }
 
 }  // namespace corvo

@@ -1,8 +1,11 @@
 #include "vo/epipolar_matching.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
-#include "orb/kernels/line_search.h"
 #include "vo/chi_square.h"
 #include "vo/lie/so3.h"
 
@@ -22,7 +25,7 @@ FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const Keypoi
   FreeKeypoints free;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] != kNoId) continue;
-    const double sigma = noise.Sigma(frame.keypoint(k)) / camera.FocalAt(frame.rays[k]);
+    const double sigma = noise.Sigma(frame, k) / camera.FocalAt(frame.rays[k]);
     free.index.push_back(k);
     free.descriptors.push_back(frame.descriptor(k));
     free.x.push_back(frame.rays[k].x());
@@ -32,44 +35,134 @@ FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const Keypoi
   return free;
 }
 
-/// Finds among keypoints those near a line that have the nearest descriptors.
-class LineMatcher {
- public:
-  explicit LineMatcher(const FreeKeypoints& candidates)
-      : candidates_(candidates), near_line_(candidates.index.size()) {}
+/// Where a keypoint may lie: between the images of its ray's nearest and farthest point.
+struct Segment {
+  Eigen::Vector2d near;
+  Eigen::Vector2d far;
+};
 
-  /// The nearest and second nearest descriptor; indices are among the candidates.
-  orb::Nearest FindNearest(const orb::Descriptor& query, const Eigen::Vector3d& line) {
-    const int num_near = orb::kernels::FindNearLine(
-        {candidates_.x.data(), candidates_.y.data(), candidates_.max_squared_distances.data(),
-         static_cast<int>(candidates_.index.size())},
-        {line.x(), line.y(), line.z()}, near_line_.data());
-    return orb::FindNearestAmong(query, candidates_.descriptors,
-                                 {near_line_.data(), static_cast<std::size_t>(num_near)});
+/// The image of a ray from `min_depth` to infinity. None where it does not end before the camera.
+std::optional<Segment> ProjectRay(const Eigen::Vector2d& ray, const SE3& second_from_first,
+                                  double min_depth) {
+  constexpr double kMinZ = 1e-3;  // Of a ray of length 1.
+  const Eigen::Vector3d direction = second_from_first.rotation() * ray.homogeneous();
+  const Eigen::Vector3d& origin = second_from_first.translation();
+  if (direction.z() < kMinZ) return std::nullopt;
+  const double in_front = (kMinZ * min_depth - origin.z()) / direction.z();
+  const Eigen::Vector3d nearest = std::max(min_depth, in_front) * direction + origin;
+  return Segment{nearest.hnormalized(), direction.hnormalized()};
+}
+
+/// Finds the rays near a segment, by cells of a grid over all.
+class RayGrid {
+ public:
+  RayGrid(const FreeKeypoints& points, double cell_size) : points_(points), size_(cell_size) {
+    const auto [left, right] = std::minmax_element(points.x.begin(), points.x.end());
+    const auto [top, bottom] = std::minmax_element(points.y.begin(), points.y.end());
+    if (points.x.empty()) return;
+    origin_ = {*left, *top};
+    columns_ = static_cast<int>((*right - *left) / size_) + 1;
+    rows_ = static_cast<int>((*bottom - *top) / size_) + 1;
+    SortIntoCells();
+  }
+
+  /// Indices of the points near the line through the segment, in the cells within `margin` of it.
+  void Find(const Segment& segment, const Eigen::Vector3d& line, double margin,
+            std::vector<int>& found) const {
+    found.clear();
+    const auto [top, bottom] = std::minmax({segment.near.y(), segment.far.y()});
+    if (columns_ == 0) return;
+    const double norm = line.head<2>().squaredNorm();
+    const int last_row = CellOf(bottom + margin - origin_.y(), rows_);
+    for (int row = CellOf(top - margin - origin_.y(), rows_); row <= last_row; ++row) {
+      const auto [left, right] = ColumnsIn(row, segment, margin);
+      for (int i = starts_[row * columns_ + left]; i < starts_[row * columns_ + right + 1]; ++i) {
+        const int point = sorted_[i];
+        const double distance =
+            line.x() * points_.x[point] + line.y() * points_.y[point] + line.z();
+        if (distance * distance <= points_.max_squared_distances[point] * norm) {
+          found.push_back(point);
+        }
+      }
+    }
   }
 
  private:
-  const FreeKeypoints& candidates_;
-  std::vector<int> near_line_;
+  int CellOf(double offset, int count) const {
+    return static_cast<int>(std::clamp(offset / size_, 0.0, count - 1.0));
+  }
+
+  void SortIntoCells() {
+    const int num_points = static_cast<int>(points_.x.size());
+    const auto cell_of = [&](int i) {
+      return CellOf(points_.y[i] - origin_.y(), rows_) * columns_ +
+             CellOf(points_.x[i] - origin_.x(), columns_);
+    };
+    starts_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+    for (int i = 0; i < num_points; ++i) ++starts_[cell_of(i) + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    std::vector<int> next = starts_;
+    sorted_.resize(num_points);
+    for (int i = 0; i < num_points; ++i) sorted_[next[cell_of(i)]++] = i;
+  }
+
+  /// First and last column that the segment, `margin` wide, passes through in a row.
+  std::pair<int, int> ColumnsIn(int row, const Segment& segment, double margin) const {
+    const double top = origin_.y() + row * size_ - margin;
+    const double bottom = top + size_ + 2 * margin;
+    const Eigen::Vector2d along = segment.far - segment.near;
+    double from = 0, to = 1;
+    if (std::abs(along.y()) > 1e-12) {
+      const auto [enter, leave] = std::minmax(
+          {(top - segment.near.y()) / along.y(), (bottom - segment.near.y()) / along.y()});
+      from = std::clamp(enter, 0.0, 1.0);
+      to = std::clamp(leave, 0.0, 1.0);
+    }
+    const auto [left, right] =
+        std::minmax({segment.near.x() + from * along.x(), segment.near.x() + to * along.x()});
+    return {CellOf(left - margin - origin_.x(), columns_),
+            CellOf(right + margin - origin_.x(), columns_)};
+  }
+
+  const FreeKeypoints& points_;
+  double size_;
+  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<int> starts_;  // Cell c holds sorted_[starts_[c]] to sorted_[starts_[c + 1] - 1].
+  std::vector<int> sorted_;
 };
+
+double LargestMargin(const FreeKeypoints& points) {
+  double largest = 0;
+  for (const double squared : points.max_squared_distances) largest = std::max(largest, squared);
+  return std::sqrt(largest);
+}
 
 }  // namespace
 
 std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
                                                 const Camera& camera, const KeypointNoise& noise,
-                                                int max_distance) {
+                                                double min_depth, int max_distance) {
   constexpr double kMaxRatio = 0.9;
+  constexpr double kCellPx = 24;
   const SE3 second_from_first = second.world_from_camera.Inverse() * first.world_from_camera;
   const Eigen::Matrix3d essential =
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
   const FreeKeypoints free_first = CollectFree(first, camera, noise);
   const FreeKeypoints free_second = CollectFree(second, camera, noise);
-  LineMatcher matcher(free_second);
+  const RayGrid grid(free_second, kCellPx / camera.focal());
+  const double margin = LargestMargin(free_second);
   std::vector<orb::Match> matches;
+  std::vector<int> candidates;
   for (std::size_t i = 0; i < free_first.index.size(); ++i) {
-    const Eigen::Vector3d line = essential * Eigen::Vector3d(free_first.x[i], free_first.y[i], 1);
-    const orb::Nearest nearest = matcher.FindNearest(free_first.descriptors[i], line);
-    if (nearest.distance > max_distance) continue;
+    const Eigen::Vector2d ray(free_first.x[i], free_first.y[i]);
+    const auto segment = ProjectRay(ray, second_from_first, min_depth);
+    if (!segment) continue;
+    grid.Find(*segment, essential * ray.homogeneous(), margin, candidates);
+    const orb::Nearest nearest =
+        orb::FindNearestAmong(free_first.descriptors[i], free_second.descriptors, candidates);
+    if (nearest.index < 0 || nearest.distance > max_distance) continue;
     if (nearest.distance > kMaxRatio * nearest.second_distance) continue;
     matches.push_back({free_first.index[i], free_second.index[nearest.index], nearest.distance});
   }

@@ -10,10 +10,11 @@
 namespace corvo {
 
 /// Matches of keypoints that see no landmark between two frames of known pose: the nearest
-/// descriptor within `max_distance` bits among the keypoints near the epipolar line, distinct and
-/// mutual, turned consistently.
+/// descriptor within `max_distance` bits among the keypoints near the epipolar line, where a point
+/// at least `min_depth` before the first camera would lie; distinct, each keypoint once, turned
+/// consistently.
 std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
                                                 const Camera& camera, const KeypointNoise& noise,
-                                                int max_distance);
+                                                double min_depth, int max_distance);
 
 }  // namespace corvo

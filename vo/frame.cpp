@@ -5,7 +5,8 @@
 
 namespace corvo {
 
-Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera) {
+Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
+                std::vector<orb::Patch> patches) {
   Frame frame;
   frame.index = index;
   frame.time_ns = time_ns;
@@ -17,7 +18,10 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
     if (!ray) continue;
     frame.features.keypoints.push_back(keypoint);
     frame.features.descriptors.push_back(features.descriptors[i]);
+    frame.pixels.emplace_back(keypoint.x, keypoint.y);
     frame.rays.push_back(*ray);
+    frame.is_aligned.push_back(0);
+    if (!patches.empty()) frame.patches.push_back(patches[i]);
   }
   frame.landmarks.assign(frame.rays.size(), kNoId);
   frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "orb/matcher.h"
+#include "orb/patch.h"
 #include "orb/types.h"
 #include "vo/camera.h"
 #include "vo/conventions.h"
@@ -18,18 +19,23 @@ struct Frame {
   TimeNs time_ns = 0;
   orb::Features features;  ///< Keypoints keep their measured pixel.
   orb::KeypointIndex keypoint_index;
-  std::vector<Eigen::Vector2d> rays;  ///< (x/z, y/z) of each keypoint, by the camera.
-  std::vector<LandmarkId> landmarks;  ///< Seen by each keypoint, or kNoId.
+  std::vector<orb::Patch> patches;      ///< Around each keypoint; empty if not known.
+  std::vector<Eigen::Vector2d> pixels;  ///< Of each keypoint: where it was detected or aligned.
+  std::vector<Eigen::Vector2d> rays;    ///< (x/z, y/z) of each of `pixels`, by the camera.
+  std::vector<char> is_aligned;         ///< With the patch of the landmark that it sees.
+  std::vector<LandmarkId> landmarks;    ///< Seen by each keypoint, or kNoId.
   SE3 world_from_camera;
 
   int num_keypoints() const { return static_cast<int>(features.keypoints.size()); }
   const orb::Keypoint& keypoint(int i) const { return features.keypoints[i]; }
   const orb::Descriptor& descriptor(int i) const { return features.descriptors[i]; }
-  Eigen::Vector2d pixel(int i) const { return {keypoint(i).x, keypoint(i).y}; }
+  const Eigen::Vector2d& pixel(int i) const { return pixels[i]; }
+  Eigen::Vector2d detected_pixel(int i) const { return {keypoint(i).x, keypoint(i).y}; }
 };
 
 /// Keypoints without a ray through the camera (outside the domain of its distortion) are dropped.
-Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera);
+Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
+                std::vector<orb::Patch> patches = {});
 
 /// Keypoints that see a landmark.
 int CountSeenLandmarks(const Frame& frame);

@@ -7,6 +7,7 @@
 
 #include "vo/bundle_adjuster.h"
 #include "vo/frame_matching.h"
+#include "vo/landmark_alignment.h"
 #include "vo/map.h"
 #include "vo/median.h"
 #include "vo/rotation_estimator.h"
@@ -32,7 +33,12 @@ InitialMap AdjustTwoViews(const TwoViewResult& motion, const std::vector<orb::Ma
     window.landmarks.push_back(
         map.AddLandmark(point.in_first, {{0, match.query}, {1, match.train}}));
   }
-  AdjustBundle(map, window, camera, noise, BundleAdjusterOptions());
+  for (const LandmarkId id : window.landmarks) {
+    AlignObservation(id, map.FindLandmark(id)->observations[1], camera, noise.octave_scales, map);
+  }
+  Bundle bundle = CopyBundle(map, window, noise);
+  AdjustBundle(camera, BundleAdjusterOptions(), bundle);
+  WriteBack(bundle, map);
 
   InitialMap initial;
   initial.first_from_second = map.WorldFromKeyframe(1);
@@ -178,8 +184,8 @@ std::vector<RayMatch> Initializer::ToRayMatches(const Frame& first,
   const Frame& second = frames_.back();
   std::vector<RayMatch> rays;
   for (const orb::Match& match : matches) {
-    const double sigma_px = std::max(noise_.Sigma(first.keypoint(match.query)),
-                                     noise_.Sigma(second.keypoint(match.train)));
+    const double sigma_px =
+        std::max(noise_.Sigma(first, match.query), noise_.Sigma(second, match.train));
     const Eigen::Vector2d& first_ray = first.rays[match.query];
     const Eigen::Vector2d& second_ray = second.rays[match.train];
     const double focal = std::min(camera_.FocalAt(first_ray), camera_.FocalAt(second_ray));

@@ -7,6 +7,7 @@
 
 #include "vo/chi_square.h"
 #include "vo/epipolar_matching.h"
+#include "vo/landmark_alignment.h"
 #include "vo/median.h"
 #include "vo/pose_optimizer.h"
 #include "vo/triangulation.h"
@@ -30,7 +31,7 @@ struct View {
 bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& camera,
               const KeypointNoise& noise) {
   const PointObservation observation{in_world, view.frame.pixel(view.keypoint),
-                                     noise.Sigma(view.frame.keypoint(view.keypoint))};
+                                     noise.Sigma(view.frame, view.keypoint)};
   return SquaredError(observation, view.frame.world_from_camera.Inverse(), camera) <=
          kChiSquare2Dof95;
 }
@@ -62,13 +63,22 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, co
   return in_world;
 }
 
-double MedianDepth(const Map& map, const Frame& frame) {
+/// Of the landmarks that a frame sees.
+std::vector<double> Depths(const Map& map, const Frame& frame) {
   const SE3 camera_from_world = frame.world_from_camera.Inverse();
   std::vector<double> depths;
   for (const LandmarkId id : frame.landmarks) {
     if (id != kNoId) depths.push_back((camera_from_world * map.FindLandmark(id)->in_world).z());
   }
-  return Median(std::move(depths));
+  return depths;
+}
+
+/// No new landmark is expected nearer: a third of the depth of the nearest known ones.
+double LeastDepth(std::vector<double> depths) {
+  if (depths.empty()) return 0;
+  const auto near = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 20);
+  std::nth_element(depths.begin(), near, depths.end());
+  return *near / 3;
 }
 
 /// The most covisible keyframes that stand far enough away for their depth, the farthest first:
@@ -81,7 +91,7 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int m
     if (static_cast<int>(by_distance.size()) == max_neighbors) break;
     const Frame& other = map.keyframe(covisible.keyframe).frame;
     const double baseline = (other.world_from_camera.translation() - centre).norm();
-    if (baseline < kMinBaselineShare * MedianDepth(map, other)) continue;
+    if (baseline < kMinBaselineShare * Median(Depths(map, other))) continue;
     by_distance.emplace_back(-baseline, covisible.keyframe);
   }
   std::sort(by_distance.begin(), by_distance.end());
@@ -95,18 +105,24 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int m
 int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
                     const KeyframeOptions& options) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
+  const double min_depth = LeastDepth(Depths(map, map.keyframe(keyframe).frame));
   int num_created = 0;
   for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options.num_neighbors)) {
     const Frame& first = map.keyframe(keyframe).frame;
     const Frame& second = map.keyframe(neighbor).frame;
     for (const orb::Match& match :
-         MatchAlongEpipolarLines(first, second, camera, noise, options.max_distance)) {
+         MatchAlongEpipolarLines(first, second, camera, noise, min_depth, options.max_distance)) {
       const auto in_world = TriangulateViews({first, match.query}, {second, match.train}, camera,
                                              noise, min_parallax);
       if (!in_world) continue;
       const LandmarkId id =
           map.AddLandmark(*in_world, {{keyframe, match.query}, {neighbor, match.train}});
       map.UpdateAppearance(id, noise.octave_scales);
+      if (AlignObservation(id, {neighbor, match.train}, camera, noise.octave_scales, map)) {
+        const auto refined = TriangulateViews({first, match.query}, {second, match.train}, camera,
+                                              noise, min_parallax);
+        if (refined) map.SetPosition(id, *refined);
+      }
       ++num_created;
     }
   }

@@ -5,6 +5,7 @@
 
 #include "orb/matcher.h"
 #include "vo/chi_square.h"
+#include "vo/landmark_alignment.h"
 #include "vo/landmark_projection.h"
 #include "vo/pose_optimizer.h"
 
@@ -69,13 +70,18 @@ int FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
     if (map.FindLandmark(landmark) == nullptr || Sees(*map.FindLandmark(landmark), id)) continue;
     const PointObservation observation{map.FindLandmark(landmark)->in_world,
                                        keyframe.frame.pixel(match.train),
-                                       noise.Sigma(keyframe.frame.keypoint(match.train))};
+                                       noise.Sigma(keyframe.frame, match.train)};
     if (SquaredError(observation, camera_from_world, camera) > kChiSquare2Dof95) continue;
     const LandmarkId present = keyframe.frame.landmarks[match.train];
     if (present == kNoId) {
       map.AddObservation(landmark, {id, match.train});
+      AlignObservation(landmark, {id, match.train}, camera, noise.octave_scales, map);
     } else {
       landmark = Merge(map, landmark, present);
+      for (const Observation& o :
+           std::vector<Observation>(map.FindLandmark(landmark)->observations)) {
+        AlignObservation(landmark, o, camera, noise.octave_scales, map);
+      }
     }
     map.UpdateAppearance(landmark, noise.octave_scales);
     ++num_fused;

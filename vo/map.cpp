@@ -91,11 +91,28 @@ void Map::RetireKeyframe(KeyframeId id, KeyframeId anchor) {
   keyframe.frame.features = {};
   keyframe.frame.keypoint_index = {};
   keyframe.frame.rays = {};
+  keyframe.frame.pixels = {};
+  keyframe.frame.is_aligned = {};
+  keyframe.frame.patches = {};
   keyframe.frame.landmarks = {};
 }
 
 void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {
   keyframes_[id].frame.world_from_camera = world_from_camera;
+}
+
+/// By definition the keypoint lies where its own patch puts it.
+Reference Map::MakeReference(const Observation& observation) {
+  Frame& frame = keyframes_[observation.keyframe].frame;
+  const int k = observation.keypoint;
+  Reference reference;
+  reference.keyframe = observation.keyframe;
+  reference.octave = frame.keypoint(k).octave;
+  if (frame.patches.empty()) return reference;
+  reference.patch = frame.patches[k];
+  reference.offset_px = frame.pixel(k) - frame.detected_pixel(k);
+  frame.is_aligned[k] = 1;
+  return reference;
 }
 
 LandmarkId Map::AddLandmark(const Eigen::Vector3d& in_world,
@@ -107,10 +124,20 @@ LandmarkId Map::AddLandmark(const Eigen::Vector3d& in_world,
   landmark.in_world = in_world;
   landmark.newest_keyframe = num_keyframes() - 1;
   landmark.num_visible = landmark.num_found = static_cast<int>(observations.size());
+  const Observation& first = observations.front();
+  landmark.reference = MakeReference(first);
   landmarks_.push_back(std::move(landmark));
   merged_into_.push_back(kNoId);
   for (const Observation& observation : observations) AddObservation(id, observation);
   return id;
+}
+
+void Map::SetPixel(const Observation& observation, const Eigen::Vector2d& pixel,
+                   const Eigen::Vector2d& ray) {
+  Frame& frame = keyframes_[observation.keyframe].frame;
+  frame.pixels[observation.keypoint] = pixel;
+  frame.rays[observation.keypoint] = ray;
+  frame.is_aligned[observation.keypoint] = 1;
 }
 
 void Map::SetPosition(LandmarkId id, const Eigen::Vector3d& in_world) {

@@ -20,6 +20,15 @@ struct Observation {
   bool operator==(const Observation&) const = default;
 };
 
+/// The view in which a landmark is where it is: other views are aligned with it.
+struct Reference {
+  KeyframeId keyframe = kNoId;
+  int octave = 0;
+  std::optional<orb::Patch> patch;
+  Eigen::Vector2d offset_px =
+      Eigen::Vector2d::Zero();  ///< Of the landmark from the patch's middle.
+};
+
 /// A 3D point and how it looks.
 struct Landmark {
   LandmarkId id = kNoId;
@@ -29,6 +38,7 @@ struct Landmark {
   KeyframeId newest_keyframe = kNoId;     ///< The newest keyframe when the landmark was made.
   orb::Descriptor descriptor;             ///< The medoid of its observations' descriptors.
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
+  Reference reference;
   double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
   int num_visible = 1;      ///< Frames in which it should have been seen.
   int num_found = 1;        ///< Frames in which it was.
@@ -80,6 +90,9 @@ class Map {
 
   /// Two or more observations, each of a keypoint that sees nothing yet.
   LandmarkId AddLandmark(const Eigen::Vector3d& in_world, std::vector<Observation> observations);
+  /// Sets where a keypoint of a keyframe, aligned with its landmark, sees it, and the ray.
+  void SetPixel(const Observation& observation, const Eigen::Vector2d& pixel,
+                const Eigen::Vector2d& ray);
   void SetPosition(LandmarkId id, const Eigen::Vector3d& in_world);
   void RemoveLandmark(LandmarkId id);
   /// Moves the observations of `from` to `into` where `into` has none in that keyframe.
@@ -104,6 +117,7 @@ class Map {
   std::vector<Covisible> FindCovisible(const Frame& frame, int min_shared = 1) const;
 
  private:
+  Reference MakeReference(const Observation& observation);
   std::vector<Covisible> CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,
                                      int min_shared) const;
 

@@ -61,13 +61,15 @@ Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int thr
       options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
-      noise_{options.bundle_adjuster.keypoint_sigma_px, extractor_.octave_scales()},
+      noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
+             extractor_.octave_scales()},
       initializer_(options.initializer, noise_, camera) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
   times_ = StageTimes();
   Frame frame = ExtractFrame(image, time_ns, mask);
+  if (IsAdjustmentDue(frame)) FinishAdjustment();
   const TrackingResult tracking = Track(frame);
   if (tracking.reason != Reason::kNone) return Initialize(std::move(frame), tracking);
   if (NeedsKeyframe(frame)) ExtendMap(frame);
@@ -99,7 +101,11 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   const StageTimer timer(times_.extract_ms);
-  Frame frame = MakeFrame(records_.size(), time_ns, extractor_.Extract(image, mask), camera_);
+  orb::Features features;
+  std::vector<orb::Patch> patches;
+  extractor_.Extract(image, mask, features, patches);
+  Frame frame =
+      MakeFrame(records_.size(), time_ns, std::move(features), camera_, std::move(patches));
   FrameResult result;
   result.index = frame.index;
   result.time_ns = time_ns;
@@ -130,11 +136,11 @@ bool Odometry::NeedsKeyframe(const Frame& frame) const {
 }
 
 void Odometry::ExtendMap(Frame& frame) {
+  FinishAdjustmentUnder(frame);
   const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
   AddLandmarksAround(keyframe);
-  AdjustWindow(keyframe);
-  CullKeyframes(map_, keyframe, options_.keyframes);
-  frame = map_.keyframe(keyframe).frame;
+  StartAdjustment(keyframe);
+  frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
   records_.SetPose(frame.index, keyframe, SE3());
   records_.result(frame.index).is_keyframe = true;
 }
@@ -153,10 +159,50 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
   FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
 }
 
-void Odometry::AdjustWindow(KeyframeId newest) {
+void Odometry::StartAdjustment(KeyframeId newest) {
   const StageTimer timer(times_.adjust_ms);
   const AdjustmentWindow window = SelectWindow(map_, newest, options_.bundle_adjuster);
-  AdjustBundle(map_, window, camera_, noise_, options_.bundle_adjuster);
+  adjustment_ = std::async(
+      std::launch::async,
+      [camera = camera_, options = options_.bundle_adjuster](Bundle bundle) {
+        AdjustBundle(camera, options, bundle);
+        return bundle;
+      },
+      CopyBundle(map_, window, noise_));
+  adjusted_ = newest;
+}
+
+bool Odometry::IsAdjustmentDue(const Frame& frame) const {
+  constexpr int kAdjustmentFrames = 3;
+  return adjustment_.valid() &&
+         frame.index - map_.keyframe(adjusted_).frame.index >= kAdjustmentFrames;
+}
+
+void Odometry::FinishAdjustment() {
+  if (!adjustment_.valid()) return;
+  const StageTimer timer(times_.adjust_ms);
+  WriteBack(adjustment_.get(), map_);
+  CullKeyframes(map_, adjusted_, options_.keyframes);
+  if (records_.IsPosed(previous_.index)) {
+    previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
+  }
+}
+
+void Odometry::FinishAdjustmentUnder(Frame& frame) {
+  if (!adjustment_.valid()) return;
+  const KeyframeId nearest = map_.FindCovisible(frame).front().keyframe;
+  const SE3 keyframe_from_camera =
+      map_.WorldFromKeyframe(nearest).Inverse() * frame.world_from_camera;
+  FinishAdjustment();
+  frame.world_from_camera = map_.WorldFromKeyframe(nearest) * keyframe_from_camera;
+  for (LandmarkId& id : frame.landmarks) {
+    if (map_.FindLandmark(id) == nullptr) id = kNoId;
+  }
+}
+
+Trajectory Odometry::Finish() {
+  FinishAdjustment();
+  return GetTrajectory();
 }
 
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
@@ -185,7 +231,10 @@ FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   if (has_map() && initializer_.newest() == nullptr) initializer_.StartFrom(previous_);
   const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
   SetUnposed(index, tracking, initialization);
-  if (initialization.map && MayStartSegment(time_ns)) StartSegment(initialization);
+  if (initialization.map && MayStartSegment(time_ns)) {
+    FinishAdjustment();
+    StartSegment(initialization);
+  }
   return records_.ResultOf(index, map_);
 }
 

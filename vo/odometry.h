@@ -1,10 +1,12 @@
 #pragma once
 
+#include <future>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "orb/extractor.h"
+#include "vo/bundle_adjuster.h"
 #include "vo/camera.h"
 #include "vo/conventions.h"
 #include "vo/frame.h"
@@ -46,7 +48,7 @@ class Odometry {
 
   /// Ends the sequence: joins work done beside the frames and returns the trajectory, which then
   /// stays as it is until the next call to Process.
-  Trajectory Finish() { return GetTrajectory(); }
+  Trajectory Finish();
 
   /// As newly made, with the same camera and options.
   void Reset();
@@ -71,7 +73,13 @@ class Odometry {
   /// Makes the frame a keyframe, adds landmarks around it and adjusts its window.
   void ExtendMap(Frame& frame);
   void AddLandmarksAround(KeyframeId keyframe);
-  void AdjustWindow(KeyframeId newest);
+  /// Adjusts the window of a keyframe beside the frames that follow ...
+  void StartAdjustment(KeyframeId newest);
+  /// ... until the map takes the result: at a fixed frame, or before it changes. Waits for it.
+  void FinishAdjustment();
+  /// FinishAdjustment, and moves a located frame with the map that it was located in.
+  void FinishAdjustmentUnder(Frame& frame);
+  bool IsAdjustmentDue(const Frame& frame) const;
   /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
 
@@ -113,6 +121,8 @@ class Odometry {
   Frame previous_;       // The last posed frame.
   SE3 motion_;           // earlier_from_later over the last step between posed frames ...
   TimeNs step_ns_ = 0;   // ... and how long it took; 0 before the first.
+  std::future<Bundle> adjustment_;  // Under way if valid.
+  KeyframeId adjusted_ = kNoId;     // The keyframe whose window it is.
   StageTimes times_;
 };
 

@@ -103,20 +103,21 @@ struct KeyframeOptions {
 /// Windowed bundle adjustment.
 struct BundleAdjusterOptions {
   double keypoint_sigma_px = 1.0;
+  double aligned_sigma_px = 0.6;
   int max_keyframes = 20;
   int min_shared_landmarks = 15;
-  int robust_iterations = 5;
-  int final_iterations = 10;
+  int max_iterations = 5;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("keypoint_sigma_px", self.keypoint_sigma_px, 0.01, 100.0,
           "standard deviation of a keypoint, px of its own level; used wherever errors are judged");
+    field("aligned_sigma_px", self.aligned_sigma_px, 0.01, 100.0,
+          "the same, of a keypoint that was aligned with its landmark's patch");
     field("max_keyframes", self.max_keyframes, 2, 1000, "that move in one adjustment");
     field("min_shared_landmarks", self.min_shared_landmarks, 1, 10000,
           "with the newest keyframe, for a keyframe to move");
-    field("robust_iterations", self.robust_iterations, 1, 1000, "with the robust loss");
-    field("final_iterations", self.final_iterations, 1, 1000, "after outliers were removed");
+    field("max_iterations", self.max_iterations, 1, 1000, "of one adjustment");
   }
 };
 

@@ -1,7 +1,6 @@
 #include "vo/reprojection_cost.h"
 
-#include "vo/lie/se3.h"
-#include "vo/lie/se3_manifold.h"
+#include <Eigen/Geometry>
 
 namespace corvo {
 namespace {
@@ -9,16 +8,19 @@ namespace {
 using PoseJacobian = Eigen::Matrix<double, 2, 7, Eigen::RowMajor>;
 using PointJacobian = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
 
-/// d r / d pose numbers = (d r / d [υ ω]) (d [υ ω] / d pose numbers), with X = T⁻¹ X_w and
-/// T ← T Exp([υ ω]): dX = -υ + X × ω.
-PoseJacobian ComputePoseJacobian(const Camera::Jacobian& residual_by_point,
-                                 const Eigen::Vector3d& in_camera, const double* pose) {
-  Eigen::Matrix<double, 2, 6> by_tangent;
-  by_tangent.leftCols<3>() = -residual_by_point;
-  by_tangent.rightCols<3>() = residual_by_point * SO3::Hat(in_camera);
-  Eigen::Matrix<double, 6, 7, Eigen::RowMajor> tangent_by_pose;
-  SE3Manifold().MinusJacobian(pose, tangent_by_pose.data());
-  return by_tangent * tangent_by_pose;
+/// With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = X × ω - υ, and along the manifold υ = Rᵀ dt and
+/// ω = 2 vec(q⁻¹ ⊗ dq).
+PoseJacobian ComputePoseJacobian(const Camera::Jacobian& by_camera_point,
+                                 const PointJacobian& by_world_point,
+                                 const Eigen::Vector3d& in_camera, const Eigen::Quaterniond& q) {
+  PoseJacobian by_pose;
+  by_pose.rightCols<3>() = -by_world_point;
+  for (int row = 0; row < 2; ++row) {
+    const Eigen::Vector3d by_omega = 2 * Eigen::Vector3d(by_camera_point.row(row)).cross(in_camera);
+    by_pose.row(row).head<3>() = q.w() * by_omega + q.vec().cross(by_omega);
+    by_pose(row, 3) = -q.vec().dot(by_omega);
+  }
+  return by_pose;
 }
 
 }  // namespace
@@ -29,23 +31,24 @@ ReprojectionCost::ReprojectionCost(const Camera& camera, const Eigen::Vector2d& 
 
 bool ReprojectionCost::Evaluate(const double* const* parameters, double* residuals,
                                 double** jacobians) const {
-  const SE3 camera_from_world = SE3::FromData(parameters[0]).Inverse();
-  const Eigen::Vector3d in_camera =
-      camera_from_world * Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(parameters[1]));
-  Camera::Jacobian pixel_by_point;
-  const std::optional<Eigen::Vector2d> projected = camera_.Project(in_camera, &pixel_by_point);
+  const Eigen::Map<const Eigen::Quaterniond> quaternion(parameters[0]);
+  const Eigen::Map<const Eigen::Vector3d> translation(parameters[0] + 4);
+  const Eigen::Map<const Eigen::Vector3d> in_world(parameters[1]);
+  const Eigen::Matrix3d camera_from_world = quaternion.toRotationMatrix().transpose();
+  const Eigen::Vector3d in_camera = camera_from_world * (in_world - translation);
+  Camera::Jacobian by_camera_point;
+  const std::optional<Eigen::Vector2d> projected =
+      camera_.Project(in_camera, jacobians != nullptr ? &by_camera_point : nullptr);
   if (!projected) return false;
   Eigen::Map<Eigen::Vector2d>{residuals} = (*projected - pixel_) / sigma_px_;
   if (jacobians == nullptr) return true;
-  const Camera::Jacobian residual_by_point = pixel_by_point / sigma_px_;
+  by_camera_point /= sigma_px_;
+  const PointJacobian by_world_point = by_camera_point * camera_from_world;
   if (jacobians[0] != nullptr) {
     Eigen::Map<PoseJacobian>{jacobians[0]} =
-        ComputePoseJacobian(residual_by_point, in_camera, parameters[0]);
+        ComputePoseJacobian(by_camera_point, by_world_point, in_camera, quaternion);
   }
-  if (jacobians[1] != nullptr) {
-    Eigen::Map<PointJacobian>{jacobians[1]} =
-        residual_by_point * camera_from_world.rotation().matrix();
-  }
+  if (jacobians[1] != nullptr) Eigen::Map<PointJacobian>{jacobians[1]} = by_world_point;
   return true;
 }
 

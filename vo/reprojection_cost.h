@@ -12,19 +12,20 @@ namespace corvo {
 ///
 ///     r = (project(world_from_camera⁻¹ * x_in_world) - pixel) / sigma
 ///
-/// Parameters: world_from_camera as [qx qy qz qw tx ty tz], on an SE3Manifold; x_in_world (3).
-/// The derivative by the seven pose numbers is the one along the manifold: times the manifold's
-/// PlusJacobian it is d r / d [υ ω]. Evaluation fails where the point does not project.
+/// Parameters: world_from_camera as [qx qy qz qw tx ty tz] with a unit quaternion, on an
+/// SE3Manifold; x_in_world (3). The derivative by the seven pose numbers is the one along the
+/// manifold: times the manifold's PlusJacobian it is d r / d [υ ω]. Evaluation fails where the
+/// point does not project.
 class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 3> {
  public:
-  /// Keeps a copy of the camera.
+  /// The camera must live as long as the cost.
   ReprojectionCost(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_px);
 
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
-  Camera camera_;
+  const Camera& camera_;
   Eigen::Vector2d pixel_;
   double sigma_px_;
 };

@@ -10,6 +10,7 @@
 
 #include "orb/matcher.h"
 #include "vo/frame_matching.h"
+#include "vo/landmark_alignment.h"
 #include "vo/landmark_projection.h"
 #include "vo/pose_optimizer.h"
 
@@ -79,8 +80,8 @@ int RefinePose(const Map& map, const SE3& initial, const Camera& camera, const K
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] == kNoId) continue;
     keypoints.push_back(k);
-    observations.push_back({map.FindLandmark(frame.landmarks[k])->in_world, frame.pixel(k),
-                            noise.Sigma(frame.keypoint(k))});
+    observations.push_back(
+        {map.FindLandmark(frame.landmarks[k])->in_world, frame.pixel(k), noise.Sigma(frame, k)});
   }
   const PoseEstimate estimate = OptimizePose(initial, observations, camera);
   frame.world_from_camera = estimate.world_from_camera;
@@ -226,6 +227,7 @@ TrackingResult TrackFrame(const Map& map, const Frame& previous, const SE3& pred
   }
   result.visible = MatchLocalLandmarks(map, camera, noise, options, frame);
   result.num_matches = CountSeenLandmarks(frame);
+  AlignKeypoints(map, camera, noise.octave_scales, frame);
   result.num_inliers = RefinePose(map, frame.world_from_camera, camera, noise, frame);
   if (result.num_inliers < options.min_inliers) result.reason = Reason::kTooFewInliers;
   return result;

@@ -144,6 +144,27 @@ TEST(ExtractorTest, KeypointsAreCornersInsideTheBorderSortedAndDistinct) {
   EXPECT_EQ(octaves.size(), 8U);
 }
 
+TEST(ExtractorTest, PatchesAreThePixelsAroundKeypoints) {
+  const cv::Mat image = ShapesImage({400, 300}, 6);
+  const auto levels = BuildPyramid(image, OctaveScales(8, 1.2));
+  Features features;
+  std::vector<Patch> patches;
+  Extractor().Extract(image, cv::Mat(), features, patches);
+  EXPECT_EQ(features, Extractor().Extract(image));
+  ASSERT_EQ(patches.size(), features.keypoints.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const PyramidLevel& level = levels.at(features.keypoints[i].octave);
+    const LevelPixel pixel = ToLevel(features.keypoints[i], level);
+    for (int row = -Patch::kRadius; row <= Patch::kRadius; ++row) {
+      for (int column = -Patch::kRadius; column <= Patch::kRadius; ++column) {
+        const int index = (row + Patch::kRadius) * Patch::kSide + column + Patch::kRadius;
+        ASSERT_EQ(patches[i].pixels[index],
+                  level.image.at<std::uint8_t>(pixel.y + row, pixel.x + column));
+      }
+    }
+  }
+}
+
 TEST(ExtractorTest, LevelsShareByArea) {
   std::vector<int> counts(8, 0);
   const Features features = Extractor(WithFeatures(1000)).Extract(NoiseImage({640, 480}, 7));

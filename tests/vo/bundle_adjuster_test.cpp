@@ -40,13 +40,18 @@ void Disturb(Map& map, int num_kept, test::Random& random) {
   }
 }
 
-AdjustmentResult AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
+struct Adjusted {
+  AdjustmentResult result;
+  std::vector<Observation> outliers;
+};
+
+Adjusted AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
   BundleAdjusterOptions options;
   options.max_keyframes = max_keyframes;
-  options.final_iterations = 50;
-  options.robust_iterations = 50;
-  return AdjustBundle(map, SelectWindow(map, newest, options), test::PinholeCamera(),
-                      test::MakeNoise(), options);
+  options.max_iterations = 50;
+  Bundle bundle = CopyBundle(map, SelectWindow(map, newest, options), test::MakeNoise());
+  const AdjustmentResult result = AdjustBundle(test::PinholeCamera(), options, bundle);
+  return {result, WriteBack(bundle, map)};
 }
 
 TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
@@ -80,10 +85,10 @@ TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
   const Path path = MakePath(6, 0, random);
   Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
   Disturb(map, 3, random);
-  const AdjustmentResult result = AdjustAround(map, 5, 3);
+  const auto [result, outliers] = AdjustAround(map, 5, 3);
   EXPECT_TRUE(result.usable);
   EXPECT_LT(result.final_cost, 1e-3 * result.initial_cost);
-  EXPECT_THAT(result.outliers, IsEmpty());
+  EXPECT_THAT(outliers, IsEmpty());
   for (KeyframeId id = 0; id < 6; ++id) {
     EXPECT_THAT(map.WorldFromKeyframe(id),
                 test::IsPoseNear(path.views[id].frame.world_from_camera, 1e-3, 1e-4));
@@ -97,7 +102,7 @@ TEST(BundleAdjusterTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanceS
   Disturb(map, 1, random);
   const SE3 first = map.WorldFromKeyframe(0);
   const double distance = map.WorldFromKeyframe(3).translation().norm();
-  ASSERT_TRUE(AdjustAround(map, 3, 10).usable);
+  ASSERT_TRUE(AdjustAround(map, 3, 10).result.usable);
   EXPECT_THAT(map.WorldFromKeyframe(0), test::IsPoseNear(first, 1e-9, 1e-9));
   EXPECT_NEAR(map.WorldFromKeyframe(3).translation().norm(), distance, 1e-9);
 }
@@ -106,12 +111,30 @@ TEST(BundleAdjusterTest, RemovesGrossErrorsAndNothingElse) {
   test::Random random(4);
   Path path = MakePath(5, 0.3, random);
   const int wrong = 7;
-  path.views[4].frame.features.keypoints[wrong].x += 60;
+  path.views[4].frame.pixels[wrong].x() += 60;
   Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
   ASSERT_NE(map.keyframe(4).frame.landmarks[wrong], kNoId);
-  const AdjustmentResult result = AdjustAround(map, 4, 3);
-  EXPECT_THAT(result.outliers, ElementsAre(Observation{4, wrong}));
+  EXPECT_THAT(AdjustAround(map, 4, 3).outliers, ElementsAre(Observation{4, wrong}));
   EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);
+}
+
+TEST(BundleAdjusterTest, TheMapMayGoOnMeanwhile) {
+  test::Random random(7);
+  const Path path = MakePath(5, 0.3, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 1, random);
+  Map adjusted_at_once = map;
+  AdjustAround(adjusted_at_once, 4, 4);
+  BundleAdjusterOptions options;
+  options.max_keyframes = 4;
+  options.max_iterations = 50;
+  Bundle bundle = CopyBundle(map, SelectWindow(map, 4, options), test::MakeNoise());
+  map.CountFound(0);
+  AdjustBundle(test::PinholeCamera(), options, bundle);
+  map.CountVisible(0);
+  WriteBack(bundle, map);
+  EXPECT_EQ(map.WorldFromKeyframe(4), adjusted_at_once.WorldFromKeyframe(4));
+  EXPECT_EQ(map.FindLandmark(0)->in_world, adjusted_at_once.FindLandmark(0)->in_world);
 }
 
 TEST(BundleAdjusterTest, GivesTheSameBitsTwice) {

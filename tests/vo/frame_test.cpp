@@ -41,11 +41,17 @@ TEST(FrameTest, KeypointsWithoutARayAreDropped) {
   EXPECT_EQ(frame.rays.size(), 1u);
 }
 
-TEST(KeypointNoiseTest, GrowsWithTheOctave) {
-  const KeypointNoise noise{0.5, {1.0, 1.2, 1.44}};
-  orb::Keypoint keypoint;
-  keypoint.octave = 2;
-  EXPECT_DOUBLE_EQ(noise.Sigma(keypoint), 0.72);
+TEST(KeypointNoiseTest, GrowsWithTheOctaveAndShrinksWithAlignment) {
+  const KeypointNoise noise{0.5, 0.25, {1.0, 1.2, 1.44}};
+  orb::Features features;
+  features.keypoints.resize(2);
+  features.descriptors.resize(2);
+  features.keypoints[1].octave = 2;
+  Frame frame = MakeFrame(0, 0, features, test::PinholeCamera());
+  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 0), 0.5);
+  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 1), 0.72);
+  frame.is_aligned[1] = 1;
+  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 1), 0.36);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace corvo::orb {
+
+/// The pixels around a keypoint, of the pyramid level it was found in.
+struct Patch {
+  static constexpr int kRadius = 8;
+  static constexpr int kSide = 2 * kRadius + 1;
+
+  std::array<std::uint8_t, kSide * kSide> pixels{};  ///< Row by row; the keypoint in the middle.
+
+  bool operator==(const Patch&) const = default;
+};
+
+}  // namespace corvo::orb
