@@ -3,15 +3,16 @@
 #include <array>
 #include <cmath>
 
+#include "orb/kernels/window_fit.h"
+
 namespace corvo::orb {
 namespace {
 
-constexpr int kWindowRadius = 4;
-constexpr int kWindowSide = 2 * kWindowRadius + 1;
-constexpr int kNumPixels = kWindowSide * kWindowSide;
-constexpr int kTemplateSide = kWindowSide + 2;  // With a rim, for derivatives.
+using kernels::kFitPixels;
+using kernels::kFitSide;
 
-using Window = std::array<float, kNumPixels>;
+constexpr int kWindowRadius = kFitSide / 2;  // The window's pixels: -4 to 3 from the middle.
+constexpr int kTemplateSide = kFitSide + 2;  // With a rim, for derivatives.
 
 /// Grey value between pixels; (x, y) from the middle, inside the patch.
 float Interpolate(const Patch& patch, float x, float y) {
@@ -32,61 +33,70 @@ bool Reaches(const PatchWarp& warp, float half_side) {
          half_side * (std::abs(warp.c) + std::abs(warp.d)) < kEnd;
 }
 
-void SubtractMean(Window& window) {
+void SubtractMean(float* values) {
   float sum = 0;
-  for (const float value : window) sum += value;
-  const float mean = sum / kNumPixels;
-  for (float& value : window) value -= mean;
+  for (int i = 0; i < kFitPixels; ++i) sum += values[i];
+  for (int i = 0; i < kFitPixels; ++i) values[i] -= sum / kFitPixels;
 }
 
-float Dot(const Window& a, const Window& b) {
+float Dot(const float* a, const float* b) {
   float sum = 0;
-  for (int i = 0; i < kNumPixels; ++i) sum += a[i] * b[i];
+  for (int i = 0; i < kFitPixels; ++i) sum += a[i] * b[i];
   return sum;
 }
 
-/// What is looked for: grey values and derivatives, each with mean 0.
+/// What is looked for: grey values and derivatives, each with mean 0, and their products.
 struct Template {
-  Window grey, by_x, by_y;
-  float xx = 0, xy = 0, yy = 0, norm = 0;
+  kernels::FitTemplate window;
+  float xx = 0, xy = 0, yy = 0;
+  float grey_x = 0, grey_y = 0, grey_grey = 0;
 };
 
-Template MakeTemplate(const Patch& reference, const PatchWarp& warp) {
-  std::array<float, kTemplateSide * kTemplateSide> rim;
-  for (int i = 0, y = -kWindowRadius - 1; y <= kWindowRadius + 1; ++y) {
-    for (int x = -kWindowRadius - 1; x <= kWindowRadius + 1; ++x, ++i) {
+/// The reference through the warp, with a rim of one pixel.
+std::array<float, kTemplateSide * kTemplateSide> WarpReference(const Patch& reference,
+                                                               const PatchWarp& warp) {
+  std::array<float, kTemplateSide * kTemplateSide> warped;
+  for (int i = 0, y = -kWindowRadius - 1; y <= kWindowRadius; ++y) {
+    for (int x = -kWindowRadius - 1; x <= kWindowRadius; ++x, ++i) {
       const float u = static_cast<float>(x), v = static_cast<float>(y);
-      rim[i] = Interpolate(reference, warp.a * u + warp.b * v, warp.c * u + warp.d * v);
+      warped[i] = Interpolate(reference, warp.a * u + warp.b * v, warp.c * u + warp.d * v);
     }
   }
+  return warped;
+}
+
+Template MakeTemplate(const Patch& reference, const PatchWarp& warp) {
+  const auto warped = WarpReference(reference, warp);
   Template result;
-  for (int i = 0, y = 0; y < kWindowSide; ++y) {
-    for (int x = 0; x < kWindowSide; ++x, ++i) {
-      const float* p = rim.data() + (y + 1) * kTemplateSide + x + 1;
-      result.grey[i] = *p;
-      result.by_x[i] = 0.5F * (p[1] - p[-1]);
-      result.by_y[i] = 0.5F * (p[kTemplateSide] - p[-kTemplateSide]);
-    }
+  kernels::FitTemplate& window = result.window;
+  for (int i = 0; i < kFitPixels; ++i) {
+    const float* p = warped.data() + (i / kFitSide + 1) * kTemplateSide + i % kFitSide + 1;
+    window.grey[i] = *p;
+    window.by_x[i] = 0.5F * (p[1] - p[-1]);
+    window.by_y[i] = 0.5F * (p[kTemplateSide] - p[-kTemplateSide]);
   }
-  SubtractMean(result.grey);
-  SubtractMean(result.by_x);
-  SubtractMean(result.by_y);
-  result.xx = Dot(result.by_x, result.by_x);
-  result.xy = Dot(result.by_x, result.by_y);
-  result.yy = Dot(result.by_y, result.by_y);
-  result.norm = std::sqrt(Dot(result.grey, result.grey));
+  for (float* values : {window.grey, window.by_x, window.by_y}) SubtractMean(values);
+  result.xx = Dot(window.by_x, window.by_x);
+  result.xy = Dot(window.by_x, window.by_y);
+  result.yy = Dot(window.by_y, window.by_y);
+  result.grey_x = Dot(window.grey, window.by_x);
+  result.grey_y = Dot(window.grey, window.by_y);
+  result.grey_grey = Dot(window.grey, window.grey);
   return result;
 }
 
-Window CutWindow(const Patch& target, float x, float y) {
-  Window window;
-  for (int i = 0, v = -kWindowRadius; v <= kWindowRadius; ++v) {
-    for (int u = -kWindowRadius; u <= kWindowRadius; ++u, ++i) {
-      window[i] = Interpolate(target, x + static_cast<float>(u), y + static_cast<float>(v));
-    }
-  }
-  SubtractMean(window);
-  return window;
+/// The target's window around (x, y) from its middle.
+kernels::WindowPlace PlaceAt(const Patch& target, float x, float y) {
+  const float column = x + (Patch::kRadius - kWindowRadius);
+  const float row = y + (Patch::kRadius - kWindowRadius);
+  const int left = static_cast<int>(column), top = static_cast<int>(row);
+  return {target.pixels.data() + top * Patch::kSide + left, Patch::kSide,
+          column - static_cast<float>(left), row - static_cast<float>(top)};
+}
+
+float Correlation(const kernels::WindowFit& fit, float grey_grey) {
+  const float squares = fit.squares - fit.sum * fit.sum / kFitPixels;
+  return squares > 0 ? fit.with_grey / std::sqrt(squares * grey_grey) : 0;
 }
 
 }  // namespace
@@ -96,25 +106,24 @@ std::optional<PatchAlignment> AlignPatch(const Patch& reference, const Patch& ta
   constexpr int kMaxIterations = 12;
   constexpr float kMaxShift = 3;
   constexpr float kAtRest = 0.02F;
-  constexpr float kMinTexture = 81;  // Of the weaker direction: one grey level a pixel.
+  constexpr float kMinGain = 0.1F;
+  constexpr float kMinTexture = kFitPixels;  // In the weaker direction: one grey level a pixel.
   if (!Reaches(reference_from_target, kWindowRadius + 1)) return std::nullopt;
   const Template wanted = MakeTemplate(reference, reference_from_target);
   const float determinant = wanted.xx * wanted.yy - wanted.xy * wanted.xy;
   if (determinant < kMinTexture * (wanted.xx + wanted.yy)) return std::nullopt;
   PatchAlignment at;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    const Window window = CutWindow(target, at.x, at.y);
-    const float fit = Dot(window, wanted.grey);
-    const float norm = std::sqrt(Dot(window, window));
-    at.correlation = norm > 0 ? fit / (norm * wanted.norm) : 0;
-    const float gain = fit / (wanted.norm * wanted.norm);
-    if (gain < 0.1F) return std::nullopt;
-    const float ex = Dot(window, wanted.by_x) - gain * Dot(wanted.grey, wanted.by_x);
-    const float ey = Dot(window, wanted.by_y) - gain * Dot(wanted.grey, wanted.by_y);
-    const float step_x = (wanted.yy * ex - wanted.xy * ey) / (determinant * gain);
-    const float step_y = (wanted.xx * ey - wanted.xy * ex) / (determinant * gain);
+    const kernels::WindowFit fit = kernels::FitWindow(PlaceAt(target, at.x, at.y), wanted.window);
+    const float gain = fit.with_grey / wanted.grey_grey;
+    if (!(gain > kMinGain)) return std::nullopt;
+    const float error_x = fit.with_x / gain - wanted.grey_x;
+    const float error_y = fit.with_y / gain - wanted.grey_y;
+    const float step_x = (wanted.yy * error_x - wanted.xy * error_y) / determinant;
+    const float step_y = (wanted.xx * error_y - wanted.xy * error_x) / determinant;
     at.x -= step_x;
     at.y -= step_y;
+    at.correlation = Correlation(fit, wanted.grey_grey);
     if (!(std::abs(at.x) < kMaxShift && std::abs(at.y) < kMaxShift)) return std::nullopt;
     if (std::abs(step_x) < kAtRest && std::abs(step_y) < kAtRest) return at;
   }

@@ -1,8 +1,6 @@
 #include "vo/map.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "orb/hamming.h"
@@ -198,13 +196,23 @@ void Map::UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scal
 }
 
 std::vector<LandmarkId> Map::FindSeen(const std::vector<KeyframeId>& keyframes) const {
-  std::set<LandmarkId> landmarks;
+  LandmarkId first = num_landmark_ids();
   for (const KeyframeId id : keyframes) {
-    const std::vector<LandmarkId>& seen = keyframes_[id].frame.landmarks;
-    landmarks.insert(seen.begin(), seen.end());
+    for (const LandmarkId landmark : keyframes_[id].frame.landmarks) {
+      if (landmark != kNoId) first = std::min(first, landmark);
+    }
   }
-  landmarks.erase(kNoId);
-  return {landmarks.begin(), landmarks.end()};
+  std::vector<char> is_seen(num_landmark_ids() - first, 0);
+  for (const KeyframeId id : keyframes) {
+    for (const LandmarkId landmark : keyframes_[id].frame.landmarks) {
+      if (landmark != kNoId) is_seen[landmark - first] = 1;
+    }
+  }
+  std::vector<LandmarkId> landmarks;
+  for (LandmarkId id = first; id < num_landmark_ids(); ++id) {
+    if (is_seen[id - first]) landmarks.push_back(id);
+  }
+  return landmarks;
 }
 
 std::vector<Covisible> Map::FindCovisible(KeyframeId id, int min_shared) const {
@@ -217,16 +225,16 @@ std::vector<Covisible> Map::FindCovisible(const Frame& frame, int min_shared) co
 
 std::vector<Covisible> Map::CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,
                                         int min_shared) const {
-  std::map<KeyframeId, int> shared;
+  std::vector<int> shared(keyframes_.size(), 0);
   for (const LandmarkId id : landmarks) {
     const Landmark* landmark = FindLandmark(id);
     if (landmark == nullptr) continue;
     for (const Observation& o : landmark->observations) ++shared[o.keyframe];
   }
-  shared.erase(except);
   std::vector<Covisible> covisible;
-  for (const auto& [keyframe, count] : shared) {
-    if (count >= min_shared) covisible.push_back({keyframe, count});
+  for (KeyframeId id = 0; id < num_keyframes(); ++id) {
+    if (id != except && shared[id] >= std::max(1, min_shared))
+      covisible.push_back({id, shared[id]});
   }
   std::sort(covisible.begin(), covisible.end(), [](const Covisible& a, const Covisible& b) {
     return a.num_shared != b.num_shared ? a.num_shared > b.num_shared : a.keyframe > b.keyframe;

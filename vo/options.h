@@ -104,7 +104,7 @@ struct KeyframeOptions {
 struct BundleAdjusterOptions {
   double keypoint_sigma_px = 1.0;
   double aligned_sigma_px = 0.6;
-  int max_keyframes = 20;
+  int max_keyframes = 10;
   int min_shared_landmarks = 15;
   int max_iterations = 5;
 

@@ -1,6 +1,7 @@
 #include "vo/tracker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -148,11 +149,13 @@ int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted, c
 /// Landmarks of the keyframes that share most with the frame, beyond those it has, in id order.
 std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame,
                                               int max_keyframes) {
-  const std::set<LandmarkId> own(frame.landmarks.begin(), frame.landmarks.end());
-  std::vector<LandmarkId> landmarks =
+  const std::vector<LandmarkId> seen =
       map.FindSeen(FirstKeyframes(map.FindCovisible(frame), max_keyframes));
-  std::erase_if(landmarks, [&own](LandmarkId id) { return own.count(id) > 0; });
-  return landmarks;
+  std::vector<LandmarkId> own = frame.landmarks;
+  std::sort(own.begin(), own.end());
+  std::vector<LandmarkId> others;
+  std::set_difference(seen.begin(), seen.end(), own.begin(), own.end(), std::back_inserter(others));
+  return others;
 }
 
 /// Where each landmark should appear from the frame's pose; those that should not are left out.

@@ -1,0 +1,136 @@
+#include "orb/kernels/window_fit.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "orb/kernels/window_fit.cpp"
+#include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
+#include <hwy/highway.h>
+
+#ifndef CORVO_ORB_KERNELS_COLUMN_SUMS
+#define CORVO_ORB_KERNELS_COLUMN_SUMS
+namespace corvo::orb::kernels {
+
+/// The sums of a WindowFit, column by column: added up in the same order by every instruction set.
+struct ColumnSums {
+  alignas(64) float sum[kFitSide] = {};
+  alignas(64) float squares[kFitSide] = {};
+  alignas(64) float with_grey[kFitSide] = {};
+  alignas(64) float with_x[kFitSide] = {};
+  alignas(64) float with_y[kFitSide] = {};
+
+  WindowFit Total() const {
+    WindowFit total;
+    for (int column = 0; column < kFitSide; ++column) {
+      total.sum += sum[column];
+      total.squares += squares[column];
+      total.with_grey += with_grey[column];
+      total.with_x += with_x[column];
+      total.with_y += with_y[column];
+    }
+    return total;
+  }
+};
+
+}  // namespace corvo::orb::kernels
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace corvo::orb::kernels::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+using scalar::FitWindow;
+#else
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::CappedTag<float, kFitSide>;
+using VF = hn::Vec<DF>;
+
+HWY_INLINE VF LoadGrey(const std::uint8_t* pixels) {
+  const hn::Rebind<std::int32_t, DF> d32;
+  const hn::Rebind<std::uint8_t, DF> d8;
+  return hn::ConvertTo(DF(), hn::PromoteTo(d32, hn::LoadU(d8, pixels)));
+}
+
+/// a + share (b - a), never fused.
+HWY_INLINE VF Between(VF a, VF b, VF share) { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); }
+
+HWY_INLINE VF RowBetween(const std::uint8_t* pixels, VF right_share) {
+  return Between(LoadGrey(pixels), LoadGrey(pixels + 1), right_share);
+}
+
+HWY_INLINE void SumColumns(const WindowPlace& place, const FitTemplate& wanted, int column,
+                           ColumnSums& sums) {
+  const DF d;
+  const VF right_share = hn::Set(d, place.right_share);
+  const VF lower_share = hn::Set(d, place.lower_share);
+  const VF middle = hn::Set(d, 128);
+  VF sum = hn::Zero(d), squares = sum, with_grey = sum, with_x = sum, with_y = sum;
+  const std::uint8_t* pixels = place.corner + column;
+  VF upper = RowBetween(pixels, right_share);
+  for (int i = column; i < kFitPixels; i += kFitSide) {
+    pixels += place.stride;
+    const VF lower = RowBetween(pixels, right_share);
+    const VF grey = hn::Sub(Between(upper, lower, lower_share), middle);
+    sum = hn::Add(sum, grey);
+    squares = hn::Add(squares, hn::Mul(grey, grey));
+    with_grey = hn::Add(with_grey, hn::Mul(grey, hn::LoadU(d, wanted.grey + i)));
+    with_x = hn::Add(with_x, hn::Mul(grey, hn::LoadU(d, wanted.by_x + i)));
+    with_y = hn::Add(with_y, hn::Mul(grey, hn::LoadU(d, wanted.by_y + i)));
+    upper = lower;
+  }
+  hn::Store(sum, d, sums.sum + column);
+  hn::Store(squares, d, sums.squares + column);
+  hn::Store(with_grey, d, sums.with_grey + column);
+  hn::Store(with_x, d, sums.with_x + column);
+  hn::Store(with_y, d, sums.with_y + column);
+}
+
+WindowFit FitWindow(const WindowPlace& place, const FitTemplate& wanted) {
+  ColumnSums sums;
+  const int lanes = static_cast<int>(hn::Lanes(DF()));
+  for (int column = 0; column < kFitSide; column += lanes) {
+    SumColumns(place, wanted, column, sums);
+  }
+  return sums.Total();
+}
+
+#endif
+}  // namespace corvo::orb::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace corvo::orb::kernels {
+
+HWY_EXPORT(FitWindow);
+
+WindowFit FitWindow(const WindowPlace& place, const FitTemplate& wanted) {
+  return HWY_DYNAMIC_DISPATCH(FitWindow)(place, wanted);
+}
+
+namespace scalar {
+namespace {
+
+float GreyAt(const WindowPlace& place, int column, int row) {
+  const std::uint8_t* pixels = place.corner + row * place.stride + column;
+  const float left = pixels[0], right = pixels[1];
+  return left + place.right_share * (right - left);
+}
+
+}  // namespace
+
+WindowFit FitWindow(const WindowPlace& place, const FitTemplate& wanted) {
+  ColumnSums sums;
+  for (int i = 0; i < kFitPixels; ++i) {
+    const int column = i % kFitSide, row = i / kFitSide;
+    const float upper = GreyAt(place, column, row), lower = GreyAt(place, column, row + 1);
+    const float grey = upper + place.lower_share * (lower - upper) - 128;
+    sums.sum[column] += grey;
+    sums.squares[column] += grey * grey;
+    sums.with_grey[column] += grey * wanted.grey[i];
+    sums.with_x[column] += grey * wanted.by_x[i];
+    sums.with_y[column] += grey * wanted.by_y[i];
+  }
+  return sums.Total();
+}
+
+}  // namespace scalar
+}  // namespace corvo::orb::kernels
+#endif
