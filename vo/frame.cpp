@@ -28,6 +28,12 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   return frame;
 }
 
+void UpdateRays(const Camera& camera, Frame& frame) {
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    frame.rays[k] = camera.Undistort(frame.pixels[k]).value_or(frame.rays[k]);
+  }
+}
+
 int CountSeenLandmarks(const Frame& frame) {
   return static_cast<int>(frame.landmarks.size() -
                           std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));

@@ -37,6 +37,9 @@ struct Frame {
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
 
+/// Makes a frame's rays those of another camera; a pixel that it sees by no ray keeps the old one.
+void UpdateRays(const Camera& camera, Frame& frame);
+
 /// Keypoints that see a landmark.
 int CountSeenLandmarks(const Frame& frame);
 

@@ -67,6 +67,11 @@ Initializer::Initializer(const InitializerOptions& options, const KeypointNoise&
                          const Camera& camera)
     : options_(options), noise_(noise), camera_(camera) {}
 
+void Initializer::SetCamera(const Camera& camera) {
+  camera_ = camera;
+  for (Frame& frame : frames_) UpdateRays(camera, frame);
+}
+
 void Initializer::StartFrom(Frame posed) {
   Keep(std::move(posed));
   has_rotation_.back() = true;

@@ -50,6 +50,9 @@ class Initializer {
  public:
   Initializer(const InitializerOptions& options, const KeypointNoise& noise, const Camera& camera);
 
+  /// Sees by another camera from now on, in the frames that wait too.
+  void SetCamera(const Camera& camera);
+
   /// Takes a frame whose pose is known as the reference. Only where no frame is collected.
   void StartFrom(Frame posed);
 

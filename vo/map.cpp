@@ -95,6 +95,12 @@ void Map::RetireKeyframe(KeyframeId id, KeyframeId anchor) {
   keyframe.frame.landmarks = {};
 }
 
+void Map::UpdateRays(const Camera& camera) {
+  for (Keyframe& keyframe : keyframes_) {
+    if (!keyframe.retired()) corvo::UpdateRays(camera, keyframe.frame);
+  }
+}
+
 void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {
   keyframes_[id].frame.world_from_camera = world_from_camera;
 }

@@ -86,6 +86,8 @@ class Map {
   KeyframeId AddKeyframe(Frame frame, int segment);
   /// Removes the keyframe's observations and features and hangs its pose on `anchor`.
   void RetireKeyframe(KeyframeId id, KeyframeId anchor);
+  /// corvo::UpdateRays of every keyframe that is not retired.
+  void UpdateRays(const Camera& camera);
   void SetPose(KeyframeId id, const SE3& world_from_camera);
 
   /// Two or more observations, each of a keypoint that sees nothing yet.

@@ -9,6 +9,7 @@
 
 #include "orb/error.h"
 #include "vo/bundle_adjuster.h"
+#include "vo/bundle_calibrator.h"
 #include "vo/culling.h"
 #include "vo/keyframe_policy.h"
 #include "vo/landmark_creation.h"
@@ -54,16 +55,28 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
   return count;
 }
 
+/// Keyframes of a segment that are not retired.
+int CountKept(const Map& map, int segment) {
+  int count = 0;
+  for (KeyframeId id = map.num_keyframes() - 1; id >= 0; --id) {
+    if (map.keyframe(id).segment != segment) break;
+    count += !map.keyframe(id).retired();
+  }
+  return count;
+}
+
 }  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
-    : camera_(camera),
+    : given_camera_(camera.parameters()),
+      camera_(camera),
       options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
       noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
              extractor_.octave_scales()},
-      initializer_(options.initializer, noise_, camera) {}
+      initializer_(options.initializer, noise_, camera),
+      calibration_(PriorEstimate(options.calibration)) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
@@ -76,7 +89,7 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   return Accept(std::move(frame), tracking);
 }
 
-void Odometry::Reset() { *this = Odometry(camera_, options_, threads_); }
+void Odometry::Reset() { *this = Odometry(Camera(given_camera_), options_, threads_); }
 
 const Frame& Odometry::last_frame() const {
   const Frame* waiting = initializer_.newest();
@@ -161,15 +174,55 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
 
 void Odometry::StartAdjustment(KeyframeId newest) {
   const StageTimer timer(times_.adjust_ms);
-  const AdjustmentWindow window = SelectWindow(map_, newest, options_.bundle_adjuster);
+  const bool calibrates = IsCalibrationDue();
+  const AdjustmentWindow window =
+      calibrates ? SelectNewestKeyframes(map_, newest, options_.calibration.max_keyframes,
+                                         options_.bundle_adjuster)
+                 : SelectWindow(map_, newest, options_.bundle_adjuster);
+  if (calibrates) num_calibrated_ = CountKept(map_, segment_);
   adjustment_ = std::async(
       std::launch::async,
-      [camera = camera_, options = options_.bundle_adjuster](Bundle bundle) {
-        AdjustBundle(camera, options, bundle);
-        return bundle;
+      [calibrates, given = given_camera_, camera = camera_, start = calibration_.calibration,
+       options = options_](const Bundle& bundle) {
+        if (calibrates) return Calibrate(given, start, options, bundle);
+        Adjustment adjustment{bundle, std::nullopt, false};
+        AdjustBundle(camera, options.bundle_adjuster, adjustment.bundle);
+        return adjustment;
       },
       CopyBundle(map_, window, noise_));
   adjusted_ = newest;
+}
+
+Odometry::Adjustment Odometry::Calibrate(const CameraParameters& given, const Calibration& start,
+                                         const OdometryOptions& options, const Bundle& bundle) {
+  Adjustment adjustment{bundle, std::nullopt, false};
+  adjustment.calibration = CalibrateBundle(given, start, options.calibration, adjustment.bundle);
+  if (!adjustment.calibration) return adjustment;
+  if (IsWithinPrior(adjustment.calibration->calibration, options.calibration)) return adjustment;
+  adjustment = {bundle, PriorEstimate(options.calibration), true};
+  AdjustBundle(Camera(given), options.bundle_adjuster, adjustment.bundle);
+  return adjustment;
+}
+
+bool Odometry::IsCalibrationDue() const {
+  constexpr int kMinKeyframes = 8;
+  if (!options_.calibration.enabled || contradicts_prior_) return false;
+  if (!IsCalibrated(given_camera_.model)) return false;
+  return CountKept(map_, segment_) >= std::max(kMinKeyframes, num_calibrated_ * 3 / 2);
+}
+
+void Odometry::SetCalibration(const CalibrationEstimate& estimate) {
+  calibration_ = estimate;
+  if (getenv("CALV"))
+    fprintf(stderr, "CAL frame %d kf %d: f %.5f+-%.5f k1 %.4f+-%.4f k2 %.4f+-%.4f\n",
+            records_.size(), num_calibrated_, estimate.calibration[0],
+            std::sqrt(estimate.covariance(0, 0)), estimate.calibration[1],
+            std::sqrt(estimate.covariance(1, 1)), estimate.calibration[2],
+            std::sqrt(estimate.covariance(2, 2)));
+  camera_ = Camera(ApplyCalibration(given_camera_, estimate.calibration));
+  map_.UpdateRays(camera_);
+  initializer_.SetCamera(camera_);
+  UpdateRays(camera_, previous_);
 }
 
 bool Odometry::IsAdjustmentDue(const Frame& frame) const {
@@ -181,7 +234,10 @@ bool Odometry::IsAdjustmentDue(const Frame& frame) const {
 void Odometry::FinishAdjustment() {
   if (!adjustment_.valid()) return;
   const StageTimer timer(times_.adjust_ms);
-  WriteBack(adjustment_.get(), map_);
+  const Adjustment adjustment = adjustment_.get();
+  WriteBack(adjustment.bundle, map_);
+  contradicts_prior_ |= adjustment.contradicts_prior;
+  if (adjustment.calibration) SetCalibration(*adjustment.calibration);
   CullKeyframes(map_, adjusted_, options_.keyframes);
   if (records_.IsPosed(previous_.index)) {
     previous_.world_from_camera = records_.PoseOf(previous_.index, map_);

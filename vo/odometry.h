@@ -1,12 +1,14 @@
 #pragma once
 
 #include <future>
+#include <optional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "orb/extractor.h"
-#include "vo/bundle_adjuster.h"
+#include "vo/bundle.h"
+#include "vo/calibration.h"
 #include "vo/camera.h"
 #include "vo/conventions.h"
 #include "vo/frame.h"
@@ -60,9 +62,25 @@ class Odometry {
   /// is kNoId, none. Before the first frame, it is empty.
   const Frame& last_frame() const;
 
+  /// As it was given, or as it is estimated meanwhile.
+  const Camera& camera() const { return camera_; }
+  /// How far that is from what was given, and how surely.
+  const CalibrationEstimate& calibration() const { return calibration_; }
+
   const StageTimes& last_times() const { return times_; }
 
  private:
+  /// What is found beside the frames.
+  struct Adjustment {
+    Bundle bundle;
+    std::optional<CalibrationEstimate> calibration;
+    bool contradicts_prior = false;
+  };
+
+  /// Adjusts the camera too, if it stays within its prior.
+  static Adjustment Calibrate(const CameraParameters& given, const Calibration& start,
+                              const OdometryOptions& options, const Bundle& bundle);
+
   void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
 
@@ -80,6 +98,9 @@ class Odometry {
   /// FinishAdjustment, and moves a located frame with the map that it was located in.
   void FinishAdjustmentUnder(Frame& frame);
   bool IsAdjustmentDue(const Frame& frame) const;
+  /// Whenever the map has grown by half.
+  bool IsCalibrationDue() const;
+  void SetCalibration(const CalibrationEstimate& estimate);
   /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
 
@@ -107,6 +128,7 @@ class Odometry {
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
 
+  CameraParameters given_camera_;
   Camera camera_;
   OdometryOptions options_;
   int threads_;
@@ -121,8 +143,11 @@ class Odometry {
   Frame previous_;       // The last posed frame.
   SE3 motion_;           // earlier_from_later over the last step between posed frames ...
   TimeNs step_ns_ = 0;   // ... and how long it took; 0 before the first.
-  std::future<Bundle> adjustment_;  // Under way if valid.
-  KeyframeId adjusted_ = kNoId;     // The keyframe whose window it is.
+  std::future<Adjustment> adjustment_;  // Under way if valid.
+  KeyframeId adjusted_ = kNoId;         // The keyframe whose window it is.
+  CalibrationEstimate calibration_;
+  int num_calibrated_ = 0;          // Keyframes that told calibration_.
+  bool contradicts_prior_ = false;  // The pictures do not fit the given camera.
   StageTimes times_;
 };
 

@@ -121,6 +121,27 @@ struct BundleAdjusterOptions {
   }
 };
 
+/// Estimating the camera while it runs.
+struct CalibrationOptions {
+  bool enabled = true;
+  double focal_sigma = 0.002;
+  double k1_sigma = 0.03;
+  double k2_sigma = 0.02;
+  int max_keyframes = 60;
+  int max_iterations = 10;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("enabled", self.enabled, "false: the camera is exactly what it is given as");
+    field("focal_sigma", self.focal_sigma, 1e-6, 1.0,
+          "standard deviation of the given focal length, as a share of it");
+    field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "of the given k1 of a pinhole camera");
+    field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "of the given k2");
+    field("max_keyframes", self.max_keyframes, 2, 1000, "that tell the camera, the newest");
+    field("max_iterations", self.max_iterations, 1, 1000, "of one estimate");
+  }
+};
+
 /// Everything that decides the output of Odometry, apart from the camera and the images.
 struct OdometryOptions {
   orb::ExtractorOptions extractor;
@@ -129,6 +150,7 @@ struct OdometryOptions {
   RelocalizerOptions relocalizer;
   KeyframeOptions keyframes;
   BundleAdjusterOptions bundle_adjuster;
+  CalibrationOptions calibration;
 
   /// Throws corvo::Error naming the first field out of range, as "<section>.<field>".
   void Validate() const;
@@ -142,6 +164,7 @@ struct OdometryOptions {
     section("relocalizer", self.relocalizer);
     section("keyframes", self.keyframes);
     section("bundle_adjuster", self.bundle_adjuster);
+    section("calibration", self.calibration);
   }
 };
 

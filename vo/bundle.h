@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "vo/camera.h"
+#include "vo/conventions.h"
+#include "vo/keypoint_noise.h"
+#include "vo/map.h"
+
+namespace corvo {
+
+/// Which keyframes a windowed adjustment moves and which it holds.
+struct AdjustmentWindow {
+  std::vector<KeyframeId> moving;  ///< Ascending.
+  std::vector<KeyframeId>
+      held;  ///< See landmarks of the moving ones; hold pose and scale. Ascending.
+  std::vector<LandmarkId> landmarks;  ///< Seen by a moving keyframe. Ascending.
+};
+
+/// A window's own copy of poses, points and observations, in the frame of its oldest keyframe: what
+/// an adjustment works on, whatever happens to the map meanwhile.
+struct Bundle {
+  struct View {
+    KeyframeId keyframe = kNoId;
+    bool is_held = false;
+    SE3::Data local_from_camera;
+
+    SE3 Pose() const { return SE3::FromData(local_from_camera.data()); }
+  };
+  struct Point {
+    LandmarkId landmark = kNoId;
+    Eigen::Vector3d in_local;
+  };
+  struct Sighting {
+    int view = 0;   ///< Index in `views`.
+    int point = 0;  ///< Index in `points`.
+    int keypoint = kNoId;
+    Eigen::Vector2d pixel;
+    double sigma_px = 1;
+    bool is_inlier = true;
+  };
+
+  SE3 world_from_local;
+  std::vector<View> views;          ///< In ascending keyframe.
+  std::vector<Point> points;        ///< In ascending landmark.
+  std::vector<Sighting> sightings;  ///< Point by point.
+};
+
+Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise);
+
+/// Marks as outliers the sightings over a squared error, in units of sigma², and no others.
+void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle);
+
+/// Gives the map the poses and positions of a bundle and removes the observations that are
+/// outliers, which it returns. The map must still have all that was copied.
+std::vector<Observation> WriteBack(const Bundle& bundle, Map& map);
+
+}  // namespace corvo
