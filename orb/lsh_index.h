@@ -16,7 +16,7 @@ namespace corvo::orb {
 struct LshIndexOptions {
   int num_tables = 8;
   int max_flips = 2;
-  double recall = 0.9;
+  double recall = 0.8;
 
   /// Throws corvo::Error naming the first field out of range.
   void Validate() const;
