@@ -48,9 +48,9 @@ std::string ChartScript(const QualityReport& report, const std::vector<std::stri
   const std::size_t columns = std::min<std::size_t>(series.size(), 3);
   const std::size_t rows = (series.size() + columns - 1) / columns;
   std::string script = fmt::format(
-      "set terminal pngcairo size {},{} font ',8'\nset grid\nset yrange [0:1]\n"
+      "set terminal pngcairo size {},{} font ',9'\nset grid\nset yrange [0:1]\n"
       "set ylabel 'precision'\nset key outside bottom center horizontal\n",
-      360 * columns, 300 * rows);
+      440 * columns, 380 * rows);
   for (std::size_t i = 0; i < series.size(); ++i) script += DataBlock(report, series[i], i);
   script += fmt::format("set multiplot layout {},{}\n", rows, columns);
   for (std::size_t i = 0; i < series.size(); ++i) script += Panel(report, series[i], i);
