@@ -129,7 +129,7 @@ struct Buffers {
   Buffers(const std::vector<double>& octave_scales, int threads)
       : pyramid(octave_scales),
         levels(octave_scales.size()),
-        areas(octave_scales.size()),
+        weights(octave_scales.size()),
         num_corners(octave_scales.size()),
         quotas(octave_scales.size()),
         starts(octave_scales.size()),
@@ -137,21 +137,29 @@ struct Buffers {
 
   Pyramid pyramid;
   std::vector<LevelExtractor> levels;
-  std::vector<std::int64_t> areas;  ///< Of the levels, inside the border.
+  std::vector<std::int64_t> weights;  ///< Of the levels, in the quotas.
   std::vector<int> num_corners;
   std::vector<int> quotas;
   std::vector<int> starts;  ///< Of the levels' features.
   Workers workers;
 };
 
-/// Shares the wanted number of features out to the levels, by area inside the border.
-void SetQuotas(int wanted, Buffers& buffers) {
+/// By area, as a grid has cells. Where there is none coarse levels, whose corners are found again
+/// in spite of blur and noise, get more: by the root of a level's side. In thousandths.
+std::int64_t WeightOf(const PyramidLevel& level, bool grid) {
+  const std::int64_t area = InsideBorder(level.image).area();
+  if (grid) return area;
+  return std::llround(1000 * std::sqrt(std::sqrt(static_cast<double>(area))));
+}
+
+/// Shares the wanted number of features out to the levels.
+void SetQuotas(int wanted, bool grid, Buffers& buffers) {
   const std::vector<PyramidLevel>& levels = buffers.pyramid.levels();
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    buffers.areas[i] = std::int64_t{InsideBorder(levels[i].image).area()};
+    buffers.weights[i] = WeightOf(levels[i], grid);
     buffers.num_corners[i] = buffers.levels[i].num_corners();
   }
-  Apportion(wanted, buffers.areas, buffers.num_corners, buffers.quotas);
+  Apportion(wanted, buffers.weights, buffers.num_corners, buffers.quotas);
   std::exclusive_scan(buffers.quotas.begin(), buffers.quotas.end(), buffers.starts.begin(), 0);
 }
 
@@ -210,7 +218,7 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
   const int num_levels = static_cast<int>(levels.size());
   buffers->workers.ForEach(num_levels,
                            [&](int i) { extractors[i].Detect(levels[i], mask, options_); });
-  SetQuotas(WantedFeatures(options_, image.cols), *buffers);
+  SetQuotas(WantedFeatures(options_, image.cols), options_.grid, *buffers);
   const int num_features = buffers->starts.back() + buffers->quotas.back();
   features.keypoints.resize(num_features);
   features.descriptors.resize(num_features);

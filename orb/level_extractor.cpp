@@ -40,9 +40,20 @@ void LevelExtractor::Detect(const PyramidLevel& level, const cv::Mat& mask,
   if (!mask.empty()) {
     std::erase_if(corners_, [&](const Corner& corner) { return !IsKept(mask, level, corner); });
   }
-  if (options.ranking == Ranking::kHarris) {
+  if (options.grid && options.ranking == Ranking::kHarris) {
     RankByHarris(level.image, options.fast_threshold, corners_);
   }
+}
+
+void LevelExtractor::SelectAnywhere(const cv::Mat& image, int quota,
+                                    const ExtractorOptions& options) {
+  if (options.ranking == Ranking::kHarris) {
+    SelectStrongest(corners_, 2 * quota, chosen_);
+    for (std::size_t i = 0; i < chosen_.size(); ++i) corners_[i] = corners_[chosen_[i]];
+    corners_.resize(chosen_.size());
+    RankByHarris(image, options.fast_threshold, corners_);
+  }
+  SelectStrongest(corners_, quota, chosen_);
 }
 
 void LevelExtractor::Orient(const cv::Mat& image) {
@@ -62,7 +73,7 @@ void LevelExtractor::Describe(const PyramidLevel& level, int octave,
   if (options.grid) {
     selector_.Select(corners_, InsideBorder(level.image), options.cell_size_px, quota, chosen_);
   } else {
-    SelectStrongest(corners_, quota, chosen_);
+    SelectAnywhere(level.image, quota, options);
   }
   Orient(level.image);
   sums_.Start(level.image);

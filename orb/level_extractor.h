@@ -34,6 +34,10 @@ class LevelExtractor {
                 std::span<Descriptor> descriptors);
 
  private:
+  /// Chooses the corners of highest rank wherever they are. Of Harris responses only those of the
+  /// corners with the highest scores count, two for each that is wanted: a corner has to be sharp
+  /// and large.
+  void SelectAnywhere(const cv::Mat& image, int quota, const ExtractorOptions& options);
   /// Sets the directions of the chosen corners.
   void Orient(const cv::Mat& image);
 

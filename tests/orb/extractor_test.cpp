@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -13,6 +14,7 @@
 
 #include "orb/descriptor.h"
 #include "orb/hamming.h"
+#include "orb/harris.h"
 #include "orb/learned_pattern.h"
 #include "orb/matcher.h"
 #include "orb/pyramid.h"
@@ -176,6 +178,43 @@ TEST(ExtractorTest, LevelsShareByArea) {
     total += areas.back();
   }
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(counts[i], 1000 * areas[i] / total, 1) << "level " << i;
+}
+
+TEST(ExtractorTest, WithoutAGridQuotasGrowWithTheRootOfALevelsSide) {
+  ExtractorOptions options;
+  options.grid = false;
+  const Features features = Extractor(options).Extract(NoiseImage({640, 480}, 7));
+  std::vector<int> counts(8, 0);
+  for (const auto& keypoint : features.keypoints) ++counts[keypoint.octave];
+  double total = 0;
+  std::vector<double> roots;
+  for (const auto& level : BuildPyramid(NoiseImage({640, 480}, 7), OctaveScales(8, 1.2))) {
+    roots.push_back(std::pow((level.image.cols - 42.0) * (level.image.rows - 42.0), 0.25));
+    total += roots.back();
+  }
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(counts[i], 1000 * roots[i] / total, 1) << "level " << i;
+}
+
+TEST(ExtractorTest, WithoutAGridHarrisChoosesAmongTwiceAsManyOfHighestScore) {
+  ExtractorOptions options;
+  options.grid = false;
+  options.num_levels = 1;
+  options.num_features = 400;
+  options.fast_threshold = options.min_fast_threshold;
+  const cv::Mat image = ShapesImage({640, 480}, 13);
+  const Features sharp = Extractor(options).Extract(image);
+  options.num_features = 200;
+  options.ranking = Ranking::kHarris;
+  const Features chosen = Extractor(options).Extract(image);
+  ASSERT_EQ(sharp.keypoints.size(), 400U);
+  ASSERT_EQ(chosen.keypoints.size(), 200U);
+  std::vector<float> responses;
+  for (const auto& keypoint : sharp.keypoints) {
+    responses.push_back(static_cast<float>(
+        HarrisResponse(image, static_cast<int>(keypoint.x), static_cast<int>(keypoint.y))));
+  }
+  std::nth_element(responses.begin(), responses.begin() + 199, responses.end(), std::greater<>());
+  for (const auto& keypoint : chosen.keypoints) EXPECT_GE(keypoint.response, responses[199]);
 }
 
 TEST(ExtractorTest, AnyNonZeroMaskValueKeeps) {
