@@ -49,14 +49,29 @@ struct SampsonError {
   }
 };
 
+/// Angle between a rotation and an expected one, per axis, in units of its sigma.
+struct RotationPrior {
+  Eigen::Quaterniond expected;
+  double sigma;
+
+  template <typename T>
+  bool operator()(const T* quaternion, T* residual) const {
+    const Eigen::Map<const Eigen::Quaternion<T>> rotation(quaternion);
+    const Eigen::Quaternion<T> apart = rotation * expected.conjugate().cast<T>();
+    Eigen::Map<Eigen::Matrix<T, 3, 1>>{residual} = 2.0 / sigma * apart.w() * apart.vec();
+    return true;
+  }
+};
+
 struct EpipolarFit {
   SO3 second_from_first;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Least robust Sampson error near a rotation and a direction of the baseline.
+/// Least robust Sampson error near a rotation, known to `rotation_sigma`, and a direction of the
+/// baseline.
 EpipolarFit FitEpipolar(const std::vector<RayMatch>& matches, const SO3& initial_rotation,
-                        Eigen::Vector3d direction) {
+                        double rotation_sigma, Eigen::Vector3d direction) {
   Eigen::Quaterniond rotation = initial_rotation.quaternion();
   ceres::Problem problem;
   problem.AddParameterBlock(rotation.coeffs().data(), 4, new ceres::EigenQuaternionManifold);
@@ -66,6 +81,10 @@ EpipolarFit FitEpipolar(const std::vector<RayMatch>& matches, const SO3& initial
         new ceres::AutoDiffCostFunction<SampsonError, 1, 4, 3>(new SampsonError{match}),
         new ceres::CauchyLoss(1), rotation.coeffs().data(), direction.data());
   }
+  const RotationPrior prior{initial_rotation.quaternion(), rotation_sigma};
+  problem.AddResidualBlock(
+      new ceres::AutoDiffCostFunction<RotationPrior, 3, 4>(new RotationPrior(prior)), nullptr,
+      rotation.coeffs().data());
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 20;
@@ -108,9 +127,13 @@ std::vector<double> ComputeParallax(const std::vector<RayMatch>& matches,
 }
 
 SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_first) {
+  constexpr double kCommonParallax = 4;
+  const double sigma =
+      std::max(kCommonParallax * Median(ComputeParallax(matches, second_from_first)), 1e-9);
   EpipolarFit best{second_from_first};
   for (int axis = 0; axis < 3; ++axis) {
-    const EpipolarFit fit = FitEpipolar(matches, second_from_first, Eigen::Vector3d::Unit(axis));
+    const EpipolarFit fit =
+        FitEpipolar(matches, second_from_first, sigma, Eigen::Vector3d::Unit(axis));
     if (fit.cost < best.cost) best = fit;
   }
   return best.second_from_first;

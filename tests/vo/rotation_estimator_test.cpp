@@ -65,5 +65,17 @@ TEST(RotationEstimatorTest, RefinementTakesNoTranslationForRotation) {
   EXPECT_LT(error(RefineRotation(matches, coarse)), 0.2 * error(coarse));
 }
 
+// In a narrow view of much the same depth, a turn and a move aside look alike.
+TEST(RotationEstimatorTest, RefinementStaysNearWhereTheLinesTellLittle) {
+  const SO3 first_from_second = SO3::Exp({0.01, 0.1, 0});
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::vector<RayMatch> matches = MatchViews(SE3(first_from_second, {0, 0, 0}), 1, 0, seed);
+    std::erase_if(matches, [](const RayMatch& match) { return match.first.norm() > 0.25; });
+    ASSERT_GT(matches.size(), 20u);
+    const SO3 refined = RefineRotation(matches, EstimateRotation(matches));
+    EXPECT_THAT(refined, test::IsRotationNear(first_from_second.Inverse(), 0.7)) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace corvo
