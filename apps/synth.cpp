@@ -85,6 +85,8 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
                       "standard deviation of the noise in each pixel, grey levels");
   command->add_option("--seed", arguments->options.noise_seed, "of the noise")
       ->capture_default_str();
+  AddSpan(*command, "--turn", arguments->options.turn,
+          "seconds in which the camera stands and turns 40 degrees to either side");
   AddEffects(*command, arguments->options.effects);
   command->add_flag("--force", arguments->force, "overwrite files in a folder that is not empty");
   command->callback([arguments] { Synthesise(*arguments); });

@@ -14,16 +14,16 @@ constexpr double kDarkness = 0.02;
 constexpr double kDriftPeriodS = 8;
 constexpr double kLongestS = 1e6;
 
-void CheckSpan(const char* start, const char* duration, const TimeSpan& span) {
-  CheckRange(start, span.start_s, 0.0, kLongestS);
-  CheckRange(duration, span.duration_s, 0.0, kLongestS);
-}
-
 }  // namespace
 
+void CheckSpan(const std::string& name, const TimeSpan& span) {
+  CheckRange(name + " start", span.start_s, 0.0, kLongestS);
+  CheckRange(name + " duration", span.duration_s, 0.0, kLongestS);
+}
+
 void Effects::Validate() const {
-  CheckSpan("dark start", "dark duration", dark);
-  CheckSpan("blur start", "blur duration", blur);
+  CheckSpan("dark", dark);
+  CheckSpan("blur", blur);
   CheckRange("exposure_drift", exposure_drift, 0.0, 3.0);
   CheckRange("vignetting", vignetting, 0.0, 0.95);
   CheckRange("moving_share", moving_share, 0.0, 0.8);

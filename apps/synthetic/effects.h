@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <opencv2/core/mat.hpp>
 
 namespace corvo::synthetic {
@@ -13,6 +15,9 @@ struct TimeSpan {
     return seconds >= start_s && seconds < start_s + duration_s;
   }
 };
+
+/// Throws corvo::Error naming the start or the duration of `name` if it is out of range.
+void CheckSpan(const std::string& name, const TimeSpan& span);
 
 /// What goes wrong with the pictures of a sequence. The truth stays as it is.
 struct Effects {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <opencv2/core.hpp>
@@ -12,7 +13,8 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr int kBlurMoments = 12;  ///< That make up a blurred picture.
+constexpr int kBlurMoments = 12;    ///< That make up a blurred picture.
+constexpr double kTurnAngle = 0.7;  ///< To either side, rad.
 
 /// A sample of the standard normal distribution, by the central limit: the sum of twelve uniform
 /// ones of variance 1/12 (so never beyond 6). Exact integers up to the last step.
@@ -37,12 +39,31 @@ void AddGaussianNoise(cv::Mat* image, const SequenceOptions& options, int frame)
   }
 }
 
+/// The path with a stop in it for the turn.
+std::vector<SE3> InsertTurn(const std::vector<SE3>& path, const TimeSpan& turn,
+                            double frame_rate_hz) {
+  std::vector<SE3> poses;
+  std::size_t next = 0;
+  while (poses.size() < path.size()) {
+    const double seconds = static_cast<double>(poses.size()) / frame_rate_hz;
+    if (turn.Contains(seconds)) {
+      const double turns = (seconds - turn.start_s) / turn.duration_s;
+      const double angle = kTurnAngle * std::sin(2 * std::numbers::pi * turns);
+      poses.push_back(path[next] * SE3(SO3::Exp({0, angle, 0}), Eigen::Vector3d::Zero()));
+    } else {
+      poses.push_back(path[next++]);
+    }
+  }
+  return poses;
+}
+
 }  // namespace
 
 void SequenceOptions::Validate() const {
   CheckRange("frames", frames, 1, 1000000);
   if (width != 0) CheckRange("width", width, 64, 8192);
   CheckRange("noise_sigma", noise_sigma, 0.0, 100.0);
+  CheckSpan("turn", turn);
   effects.Validate();
 }
 
@@ -62,7 +83,7 @@ Sequence::Sequence(std::string name, std::shared_ptr<const Scene> scene, const C
     scene_ = with_boards;
   }
   const SE3 world_from_scene = scene_from_world_.Inverse();
-  for (const SE3& pose : scene_from_camera) {
+  for (const SE3& pose : InsertTurn(scene_from_camera, options.turn, frame_rate_hz)) {
     const double seconds = static_cast<double>(poses_.size()) / frame_rate_hz;
     const SE3 world_from_camera = poses_.empty() ? SE3() : world_from_scene * pose;
     poses_.push_back({static_cast<TimeNs>(std::llround(1e9 * seconds)), world_from_camera});

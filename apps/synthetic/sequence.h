@@ -27,6 +27,8 @@ struct SequenceOptions {
   double noise_sigma = 0;  ///< Standard deviation of the Gaussian noise added to each pixel, grey.
   std::uint64_t noise_seed = 1;
   Effects effects;
+  TimeSpan
+      turn;  ///< The camera stands, and turns about its own centre 40° to either side and back.
   std::optional<CameraParameters> camera;  ///< Overrides the scene's camera and `width`.
 
   /// Throws corvo::Error naming the first field out of range.
@@ -36,7 +38,8 @@ struct SequenceOptions {
 /// What one camera films on its way through a scene.
 class Sequence {
  public:
-  /// `scene_from_camera`: one pose a frame. Throws corvo::Error on options out of range.
+  /// `scene_from_camera`: one pose a frame; where the camera stands for a turn, the last ones stay
+  /// unused. Throws corvo::Error on options out of range.
   Sequence(std::string name, std::shared_ptr<const Scene> scene, const Camera& camera,
            double frame_rate_hz, const std::vector<SE3>& scene_from_camera,
            const SequenceOptions& options);

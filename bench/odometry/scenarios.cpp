@@ -68,10 +68,11 @@ std::vector<Scenario> RenderedScenarios() {
     options.noise_sigma = 3;
     options.effects.dark = {4, 3};
     options.effects.blur = {12, 2};
+    options.turn = {16, 2};
     return Film(synthetic::MakeRoom(options));
   };
   return {{"rendered street, 2 km, 20% moving", street, {Perturbation()}},
-          {"rendered room, 3 s dark, 2 s blur", room, {Perturbation()}}};
+          {"rendered room, 3 s dark, 2 s blur, fast turn", room, {Perturbation()}}};
 }
 
 }  // namespace corvo::bench

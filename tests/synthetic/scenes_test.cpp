@@ -367,5 +367,22 @@ TEST(SequenceOptions, NameTheFieldOutOfRange) {
   EXPECT_THAT(ErrorOf([&] { MakeRoom(options); }), ::testing::HasSubstr("noise_sigma is nan"));
 }
 
+TEST(TurnTest, TheCameraTurnsAboutItsOwnCentreAndThenGoesOn) {
+  SequenceOptions options = Small(80, 64);
+  const PoseSequence plain = MakeRoom(options).poses();
+  options.turn = {1, 1};  // Frames 30 to 59.
+  const PoseSequence turned = MakeRoom(options).poses();
+  ASSERT_EQ(turned.size(), plain.size());
+  for (std::size_t i = 0; i < turned.size(); ++i) {
+    const SE3& pose = turned[i].world_from_camera;
+    const SE3& stands = plain[i < 30 ? i : i < 60 ? 30 : i - 30].world_from_camera;
+    const double turn = (stands.rotation().Inverse() * pose.rotation()).Angle();
+    const double phase =
+        i < 30 || i >= 60 ? 0 : 2 * 180 * kDegree * (static_cast<double>(i) - 30) / 30;
+    EXPECT_THAT(pose.translation(), test::IsMatrixNear(stands.translation(), 1e-12));
+    EXPECT_NEAR(turn, 0.7 * std::abs(std::sin(phase)), 1e-9) << i;
+  }
+}
+
 }  // namespace
 }  // namespace corvo::synthetic
