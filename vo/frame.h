@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,5 +34,8 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
 
 /// Keypoints that see a landmark.
 int CountSeenLandmarks(const Frame& frame);
+
+/// Memory held.
+std::size_t NumBytes(const Frame& frame);
 
 }  // namespace corvo

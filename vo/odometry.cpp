@@ -74,7 +74,19 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   return Accept(std::move(frame), tracking);
 }
 
-void Odometry::Reset() { *this = Odometry(camera_, options_, threads_); }
+void Odometry::Reset() {
+  LandmarkSink sink = std::move(landmark_sink_);
+  *this = Odometry(camera_, options_, threads_);
+  landmark_sink_ = std::move(sink);
+}
+
+MemoryUse Odometry::memory_use() const {
+  MemoryUse use;
+  use.working_set_bytes = map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_);
+  use.keyframe_bytes = map_.place_bytes();
+  use.frame_bytes = records_.num_bytes();
+  return use;
+}
 
 const Frame& Odometry::last_frame() const {
   const Frame* waiting = initializer_.newest();
@@ -100,7 +112,7 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   const StageTimer timer(times_.extract_ms);
   Frame frame = MakeFrame(records_.size(), time_ns, extractor_.Extract(image, mask), camera_);
-  FrameResult result;
+  FrameOutcome result;
   result.index = frame.index;
   result.time_ns = time_ns;
   result.num_features = frame.num_keypoints();
@@ -134,9 +146,10 @@ void Odometry::ExtendMap(Frame& frame) {
   AddLandmarksAround(keyframe);
   AdjustWindow(keyframe);
   CullKeyframes(map_, keyframe, options_.keyframes);
+  ArchiveKeyframes();
   frame = map_.keyframe(keyframe).frame;
   records_.SetPose(frame.index, keyframe, SE3());
-  records_.result(frame.index).is_keyframe = true;
+  records_.outcome(frame.index).is_keyframe = true;
 }
 
 void Odometry::AddLandmarksAround(KeyframeId keyframe) {
@@ -151,6 +164,13 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
     recent_landmarks_.push_back(id);
   }
   FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+}
+
+void Odometry::ArchiveKeyframes() {
+  for (const FinishedLandmark& landmark :
+       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes)) {
+    if (landmark_sink_) landmark_sink_(landmark);
+  }
 }
 
 void Odometry::AdjustWindow(KeyframeId newest) {
@@ -192,7 +212,7 @@ FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
 void Odometry::SetUnposed(int frame, const TrackingResult& tracking,
                           const InitializationResult& initialization) {
   state_ = has_map() ? State::kLost : State::kInitializing;
-  FrameResult& result = records_.result(frame);
+  FrameOutcome& result = records_.outcome(frame);
   result.state = state_;
   const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
   result.reason = has_map() && !is_blank ? tracking.reason : initialization.reason;
@@ -211,8 +231,8 @@ void Odometry::SetRotation(int frame, const InitializationResult& initialization
   records_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
   if (!records_.RotationOf(frame, map_)) return;
   segment_ = std::max(segment_, 0);
-  records_.result(frame).state = State::kRotationOnly;
-  records_.result(frame).reason = initialization.reason;
+  records_.outcome(frame).state = State::kRotationOnly;
+  records_.outcome(frame).reason = initialization.reason;
 }
 
 bool Odometry::MayStartSegment(TimeNs time_ns) const {
@@ -270,8 +290,9 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
     frame.landmarks = map_.keyframe(id).frame.landmarks;
     if (records_.IsPosed(frame.index)) continue;
     records_.SetPose(frame.index, id, SE3());
-    records_.result(frame.index).is_keyframe = true;
+    records_.outcome(frame.index).is_keyframe = true;
   }
+  ArchiveKeyframes();
 }
 
 void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step) {
@@ -308,7 +329,7 @@ void Odometry::SetMotion(const Frame& from, const Frame& to) {
 }
 
 void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
-  FrameResult& result = records_.result(frame.index);
+  FrameOutcome& result = records_.outcome(frame.index);
   result.state = State::kTracking;
   result.reason = Reason::kNone;
   result.segment = segment_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -27,6 +29,13 @@ struct StageTimes {
   double adjust_ms = 0;  ///< Bundle adjustment.
 };
 
+/// Bytes held, by counting what the containers hold.
+struct MemoryUse {
+  std::size_t working_set_bytes = 0;  ///< Frames with features, and landmarks. Bounded.
+  std::size_t keyframe_bytes = 0;     ///< What stays of every keyframe. Grows.
+  std::size_t frame_bytes = 0;        ///< What stays of every frame. Grows.
+};
+
 /// Monocular visual odometry: images in, one FrameResult an image out. Deterministic: the same
 /// images, camera and options give the same results, for any number of threads. Instances share
 /// nothing.
@@ -51,8 +60,16 @@ class Odometry {
   /// As newly made, with the same camera and options.
   void Reset();
 
-  /// Keyframes and landmarks, of all segments.
+  /// Keyframes and landmarks. Features and landmarks are those of the newest keyframes, and of
+  /// those they share landmarks with: older ones have left.
   const Map& map() const { return map_; }
+
+  /// Calls `sink` with each landmark that leaves the map from now on, to go nowhere else. Stays
+  /// through a Reset.
+  using LandmarkSink = std::function<void(const FinishedLandmark&)>;
+  void SetLandmarkSink(LandmarkSink sink) { landmark_sink_ = std::move(sink); }
+
+  MemoryUse memory_use() const;
 
   /// The frame processed last, with its tracks: keypoint k sees landmark `landmarks[k]` or, if that
   /// is kNoId, none. Before the first frame, it is empty.
@@ -71,6 +88,8 @@ class Odometry {
   /// Makes the frame a keyframe, adds landmarks around it and adjusts its window.
   void ExtendMap(Frame& frame);
   void AddLandmarksAround(KeyframeId keyframe);
+  /// Keeps what the relocalizer looks at and what belongs to it; the rest leaves the map.
+  void ArchiveKeyframes();
   void AdjustWindow(KeyframeId newest);
   /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
@@ -106,6 +125,7 @@ class Odometry {
   KeypointNoise noise_;
   Initializer initializer_;
   Map map_;
+  LandmarkSink landmark_sink_;
   std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
   FrameRecords records_;
   State state_ = State::kInitializing;
