@@ -24,20 +24,21 @@ std::string Header(int num_vertices) {
 
 }  // namespace
 
-std::string MapPly(const Map& map, double metres_per_unit) {
+std::string MapPly(const LandmarkSpool& finished, const Map& map, double metres_per_unit) {
   std::string vertices;
-  int num_vertices = map.num_keyframes();
+  finished.ForEach([&](const FinishedLandmark& landmark) {
+    vertices += Vertex(metres_per_unit * landmark.in_world, kLandmarkColour, landmark.segment);
+  });
   for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
     vertices += Vertex(metres_per_unit * landmark->in_world, kLandmarkColour, landmark->segment);
-    ++num_vertices;
   }
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
     vertices += Vertex(metres_per_unit * map.WorldFromKeyframe(id).translation(), kKeyframeColour,
-                       map.keyframe(id).segment);
+                       map.SegmentOf(id));
   }
-  return Header(num_vertices) + vertices;
+  return Header(finished.size() + map.num_landmarks() + map.num_keyframes()) + vertices;
 }
 
 }  // namespace corvo

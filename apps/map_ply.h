@@ -2,13 +2,14 @@
 
 #include <string>
 
+#include "apps/landmark_spool.h"
 #include "vo/map.h"
 
 namespace corvo {
 
-/// The map as an ASCII PLY point cloud, in world coordinates: landmarks in id order, grey, then the
-/// centres of the keyframes' cameras, red. Each point carries its segment. A unit of the map is
-/// `metres_per_unit` in the file.
-std::string MapPly(const Map& map, double metres_per_unit = 1);
+/// A map as an ASCII PLY point cloud, in world coordinates: landmarks, grey, those that have left
+/// it first, then the others in id order; then the centres of the keyframes' cameras, red. Each
+/// point carries its segment. A unit of the map is `metres_per_unit` in the file.
+std::string MapPly(const LandmarkSpool& finished, const Map& map, double metres_per_unit = 1);
 
 }  // namespace corvo

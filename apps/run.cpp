@@ -34,7 +34,16 @@ sequence is ended by Ctrl-C, and written.)";
 
 RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
                         const Interruption& interruption) {
-  RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads), {}, {}, 0, false};
+  RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads),
+                   std::make_unique<LandmarkSpool>(),
+                   {},
+                   {},
+                   0,
+                   false};
+  record.odometry.SetLandmarkSink(
+      [finished = record.finished.get()](const FinishedLandmark& landmark) {
+        finished->Add(landmark);
+      });
   ProgressReport progress(inputs.source.size().value_or(0));
   TrackPictures pictures(arguments.pictures);
   Stopwatch watch;
@@ -66,7 +75,7 @@ int Run(const RunArguments& arguments) {
     spdlog::error("interrupted after {} frames: nothing is written", record.timings.size());
     return kInterrupted;
   }
-  const RunSummary summary = Summarize(arguments, inputs, record.trajectory, record.odometry.map());
+  const RunSummary summary = Summarize(arguments, inputs, record);
   WriteResults(arguments, inputs, record, summary, output);
   fmt::print("{}", SummaryText(arguments, summary));
   return static_cast<int>(summary.outcome);

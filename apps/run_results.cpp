@@ -60,7 +60,8 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
 
 void WriteTables(const RunArguments& arguments, const RunRecord& record,
                  const OutputFolder& output) {
-  output.Write("map.ply", MapPly(record.odometry.map(), arguments.metres_per_unit.value_or(1)));
+  output.Write("map.ply", MapPly(*record.finished, record.odometry.map(),
+                                 arguments.metres_per_unit.value_or(1)));
   output.Write("frames.csv", FrameTable(record.trajectory));
   output.Write("timing.csv", TimingTable(record.timings));
 }

@@ -21,14 +21,6 @@ using Json = nlohmann::ordered_json;
 
 double Share(int part, int whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / whole; }
 
-int CountLandmarks(const Map& map) {
-  int count = 0;
-  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
-    if (map.FindLandmark(id) != nullptr) ++count;
-  }
-  return count;
-}
-
 Json CameraJson(const CameraParameters& camera) {
   Json json = {{"model", ToString(camera.model)}};
   CameraParameters::Visit(
@@ -118,7 +110,9 @@ std::optional<ErrorStatistics> EvaluateRotations(const PoseSequence& rotations,
 }  // namespace
 
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
-                     const Trajectory& trajectory, const Map& map) {
+                     const RunRecord& record) {
+  const Trajectory& trajectory = record.trajectory;
+  const Map& map = record.odometry.map();
   RunSummary summary;
   summary.outcome = JudgeOutcome(trajectory);
   summary.num_frames = static_cast<int>(trajectory.frames.size());
@@ -126,7 +120,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
   summary.num_segments = CountPosedSegments(trajectory);
   summary.num_keyframes = map.num_keyframes();
-  summary.num_landmarks = CountLandmarks(map);
+  summary.num_landmarks = record.finished->size() + map.num_landmarks();
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);

@@ -34,7 +34,7 @@ struct RunSummary {
 
 /// Warns of a calibration that does not fit the pictures.
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
-                     const Trajectory& trajectory, const Map& map);
+                     const RunRecord& record);
 
 /// summary.json
 nlohmann::ordered_json ToJson(const RunArguments& arguments, const RunInputs& inputs,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,12 @@ class KeypointIndex {
 
   /// Number of keypoints.
   int size() const { return cell_starts_.empty() ? 0 : cell_starts_.back(); }
+
+  /// Memory held beyond the object itself.
+  std::size_t num_bytes() const {
+    return sizeof(int) * (cell_starts_.capacity() + octaves_.capacity() + indices_.capacity()) +
+           sizeof(float) * (x_.capacity() + y_.capacity());
+  }
 
  private:
   /// Lays cells over the keypoints' bounding box.

@@ -63,10 +63,10 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
 AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
                                        const BundleAdjusterOptions& options) {
   std::set<KeyframeId> moving;
-  for (KeyframeId id = newest; id >= 0; --id) {
-    const Keyframe& keyframe = map.keyframe(id);
-    if (keyframe.segment != map.keyframe(newest).segment) break;
-    if (!keyframe.retired()) moving.insert(id);
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  for (auto id = kept.rbegin(); id != kept.rend(); ++id) {
+    if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
+    moving.insert(*id);
     if (static_cast<int>(moving.size()) == max_keyframes) break;
   }
   return CompleteWindow(map, moving, options.min_shared_landmarks);

@@ -41,7 +41,16 @@ double RedundantShare(const Map& map, const Keyframe& keyframe) {
 }
 
 bool IsFirstOfSegment(const Map& map, const Keyframe& keyframe) {
-  return keyframe.id == 0 || map.keyframe(keyframe.id - 1).segment != keyframe.segment;
+  return keyframe.id == 0 || map.SegmentOf(keyframe.id - 1) != keyframe.segment;
+}
+
+/// One of the landmarks that the keyframe sees was seen again from `first_recent` on.
+bool IsSeenSince(const Map& map, const Keyframe& keyframe, KeyframeId first_recent) {
+  return std::any_of(
+      keyframe.frame.landmarks.begin(), keyframe.frame.landmarks.end(), [&](LandmarkId id) {
+        const Landmark* landmark = map.FindLandmark(id);
+        return landmark != nullptr && landmark->observations.back().keyframe >= first_recent;
+      });
 }
 
 }  // namespace
@@ -70,6 +79,20 @@ void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) 
     const std::vector<Covisible> neighbors = map.FindCovisible(id);
     if (!neighbors.empty()) map.RetireKeyframe(id, neighbors.front().keyframe);
   }
+}
+
+std::vector<FinishedLandmark> ArchiveKeyframes(Map& map, int num_recent) {
+  map.ForgetMergesBefore(map.num_keyframes() - num_recent);
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  std::vector<FinishedLandmark> finished;
+  if (static_cast<int>(kept.size()) <= num_recent) return finished;
+  const auto first_recent = kept.end() - num_recent;
+  for (auto id = kept.begin(); id != first_recent; ++id) {
+    if (IsSeenSince(map, map.keyframe(*id), *first_recent)) continue;
+    const std::vector<FinishedLandmark> left = map.ArchiveKeyframe(*id);
+    finished.insert(finished.end(), left.begin(), left.end());
+  }
+  return finished;
 }
 
 }  // namespace corvo

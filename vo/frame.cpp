@@ -39,4 +39,13 @@ int CountSeenLandmarks(const Frame& frame) {
                           std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }
 
+std::size_t NumBytes(const Frame& frame) {
+  return sizeof frame + frame.keypoint_index.num_bytes() +
+         frame.features.keypoints.capacity() * sizeof(orb::Keypoint) +
+         frame.features.descriptors.capacity() * sizeof(orb::Descriptor) +
+         frame.patches.capacity() * sizeof(orb::Patch) +
+         (frame.pixels.capacity() + frame.rays.capacity()) * sizeof(Eigen::Vector2d) +
+         frame.is_aligned.capacity() + frame.landmarks.capacity() * sizeof(LandmarkId);
+}
+
 }  // namespace corvo

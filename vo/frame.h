@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,5 +43,8 @@ void UpdateRays(const Camera& camera, Frame& frame);
 
 /// Keypoints that see a landmark.
 int CountSeenLandmarks(const Frame& frame);
+
+/// Memory held.
+std::size_t NumBytes(const Frame& frame);
 
 }  // namespace corvo

@@ -4,17 +4,17 @@ namespace corvo {
 
 void FrameRecords::SetPose(int frame, KeyframeId keyframe, const SE3& keyframe_from_camera) {
   records_[frame].keyframe = keyframe;
-  records_[frame].keyframe_from_camera = keyframe_from_camera;
+  records_[frame].from_camera = keyframe_from_camera;
 }
 
 void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_from_camera) {
   records_[frame].reference = reference;
-  records_[frame].reference_from_camera = reference_from_camera;
+  records_[frame].from_camera = SE3(reference_from_camera, Eigen::Vector3d::Zero());
 }
 
 SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
   const Record& record = records_[frame];
-  return map.WorldFromKeyframe(record.keyframe) * record.keyframe_from_camera;
+  return map.WorldFromKeyframe(record.keyframe) * record.from_camera;
 }
 
 std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {
@@ -23,14 +23,14 @@ std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {
     const Record& record = records_[ancestor];
     if (IsPosed(ancestor)) return PoseOf(ancestor, map).rotation() * ancestor_from_camera;
     if (record.reference == kNoId) return std::nullopt;
-    ancestor_from_camera = record.reference_from_camera * ancestor_from_camera;
+    ancestor_from_camera = record.from_camera.rotation() * ancestor_from_camera;
     if (record.reference == ancestor) return ancestor_from_camera;
     ancestor = record.reference;
   }
 }
 
 FrameResult FrameRecords::ResultOf(int frame, const Map& map) const {
-  FrameResult result = records_[frame].result;
+  FrameResult result{records_[frame].outcome, {}, {}};
   if (IsPosed(frame)) result.world_from_camera = PoseOf(frame, map);
   if (IsPosed(frame) || result.state == State::kRotationOnly) {
     result.world_from_camera_rotation = RotationOf(frame, map);

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <optional>
-#include <vector>
 
 #include "vo/conventions.h"
 #include "vo/frame_result.h"
@@ -17,14 +18,14 @@ namespace corvo {
 class FrameRecords {
  public:
   int size() const { return static_cast<int>(records_.size()); }
-  void Add(const FrameResult& result) { records_.emplace_back().result = result; }
+  void Add(const FrameOutcome& outcome) { records_.emplace_back().outcome = outcome; }
 
-  /// What is known of a frame but for its pose and rotation.
-  FrameResult& result(int frame) { return records_[frame].result; }
+  FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
 
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
   void SetPose(int frame, KeyframeId keyframe, const SE3& keyframe_from_camera);
-  /// Hangs the rotation of a frame on an earlier one; on itself, the frame begins a chain.
+  /// Hangs the rotation of a frame that is not posed on an earlier one; on itself, the frame begins
+  /// a chain.
   void SetRotation(int frame, int reference, const SO3& reference_from_camera);
 
   /// Of a posed frame.
@@ -36,16 +37,17 @@ class FrameRecords {
   FrameResult ResultOf(int frame, const Map& map) const;
   Trajectory ToTrajectory(const Map& map) const;
 
+  std::size_t num_bytes() const { return records_.size() * sizeof(Record); }
+
  private:
   struct Record {
-    FrameResult result;
-    KeyframeId keyframe = kNoId;
-    SE3 keyframe_from_camera;
-    int reference = kNoId;
-    SO3 reference_from_camera;
+    FrameOutcome outcome;
+    KeyframeId keyframe = kNoId;  // Of a posed frame.
+    int reference = kNoId;        // Of a frame of which only the rotation is known.
+    SE3 from_camera;              // Its target is whichever of the two there is.
   };
 
-  std::vector<Record> records_;
+  std::deque<Record> records_;
 };
 
 }  // namespace corvo

@@ -172,6 +172,12 @@ std::vector<Frame> Initializer::TakeFrames() {
   return frames;
 }
 
+std::size_t Initializer::num_bytes() const {
+  std::size_t num_bytes = 0;
+  for (const Frame& frame : frames_) num_bytes += NumBytes(frame);
+  return num_bytes;
+}
+
 void Initializer::MoveReference() {
   const int newest = static_cast<int>(frames_.size()) - 1;
   const int half_way = reference_ + (newest - reference_ + 1) / 2;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -64,6 +65,7 @@ class Initializer {
   const Frame* newest() const { return frames_.empty() ? nullptr : &frames_.back(); }
   /// Index of the reference frame within the frames collected.
   int reference() const { return reference_; }
+  std::size_t num_bytes() const;  ///< Of the frames collected.
 
  private:
   /// Forgets the oldest frame when there are too many.

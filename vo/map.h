@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
-#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,16 +45,18 @@ struct Landmark {
   int num_found = 1;        ///< Frames in which it was.
 };
 
-/// A frame kept in the map. A retired keyframe has lost its features and observations; its pose
-/// hangs on another keyframe.
+/// A frame kept in the map.
 struct Keyframe {
   KeyframeId id = kNoId;
   int segment = 0;
   Frame frame;
-  KeyframeId anchor = kNoId;  ///< kNoId unless retired.
-  SE3 anchor_from_keyframe;   ///< Where it was relative to `anchor` when it retired.
+};
 
-  bool retired() const { return anchor != kNoId; }
+/// What is left of a landmark whose keyframes have left the map. It never moves again.
+struct FinishedLandmark {
+  LandmarkId id = kNoId;
+  int segment = 0;
+  Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
 };
 
 /// A keyframe and the number of landmarks that it shares with another.
@@ -67,27 +70,46 @@ std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, 
 
 /// Owns keyframes and landmarks. Links between them are ids, kept consistent both ways: keypoint k
 /// of keyframe f names landmark l if and only if l has the observation (f, k).
+///
+/// A keyframe leaves when it is retired or archived. Then its features and observations are gone;
+/// its id, segment and pose stay.
 class Map {
  public:
-  int num_keyframes() const { return static_cast<int>(keyframes_.size()); }  ///< Retired included.
-  int num_landmark_ids() const { return static_cast<int>(landmarks_.size()); }
-  const Keyframe& keyframe(KeyframeId id) const { return keyframes_[id]; }
+  int num_keyframes() const { return static_cast<int>(places_.size()); }  ///< Also those that left.
+  int num_landmarks() const { return static_cast<int>(landmarks_.size()); }  ///< That live.
+  int num_landmark_ids() const { return num_landmark_ids_; }
 
-  /// Null if there is none, or it was removed.
-  const Landmark* FindLandmark(LandmarkId id) const;
-  /// The landmark that `id` was merged into, directly or by stages; `id` itself if it lives;
-  /// kNoId if it was removed.
-  LandmarkId Resolve(LandmarkId id) const;
+  /// It has not left.
+  bool IsKept(KeyframeId id) const { return keyframes_.count(id) > 0; }
+  /// Those that have not left, in ascending order.
+  std::vector<KeyframeId> KeptKeyframes() const;
+  /// Of one that is kept.
+  const Keyframe& keyframe(KeyframeId id) const { return keyframes_.at(id); }
 
+  /// Segment of any keyframe.
+  int SegmentOf(KeyframeId id) const { return places_[id].segment; }
   /// Pose of any keyframe, retired ones through their anchors.
   SE3 WorldFromKeyframe(KeyframeId id) const;
 
+  /// Null if there is none, or it was removed, merged or finished.
+  const Landmark* FindLandmark(LandmarkId id) const;
+  /// The landmark that `id` was merged into, directly or by stages; `id` itself if it lives;
+  /// kNoId if it was removed or finished, or the merge is forgotten.
+  LandmarkId Resolve(LandmarkId id) const;
+
   /// Keeps a frame; its `landmarks` become observations.
   KeyframeId AddKeyframe(Frame frame, int segment);
-  /// Removes the keyframe's observations and features and hangs its pose on `anchor`.
+  /// The keyframe leaves; its pose hangs on `anchor` from now on.
   void RetireKeyframe(KeyframeId id, KeyframeId anchor);
-  /// corvo::UpdateRays of every keyframe that is not retired.
+  /// Drops the patches around a keyframe's keypoints: nothing more is aligned in it. No effect on
+  /// one that is not kept.
+  void DropPatches(KeyframeId id);
+  /// corvo::UpdateRays of every kept keyframe.
   void UpdateRays(const Camera& camera);
+  /// The keyframe leaves; its pose stays as it is for ever. Landmarks that lose their second last
+  /// observation leave with it and are returned, in the order of its keypoints.
+  std::vector<FinishedLandmark> ArchiveKeyframe(KeyframeId id);
+  /// Of a keyframe that is kept.
   void SetPose(KeyframeId id, const SE3& world_from_camera);
 
   /// Two or more observations, each of a keypoint that sees nothing yet.
@@ -99,8 +121,10 @@ class Map {
   void RemoveLandmark(LandmarkId id);
   /// Moves the observations of `from` to `into` where `into` has none in that keyframe.
   void MergeLandmark(LandmarkId from, LandmarkId into);
-  void CountVisible(LandmarkId id) { ++landmarks_[id]->num_visible; }
-  void CountFound(LandmarkId id) { ++landmarks_[id]->num_found; }
+  /// Forgets what was merged before the keyframe was added.
+  void ForgetMergesBefore(KeyframeId keyframe);
+  void CountVisible(LandmarkId id) { ++landmarks_.at(id).num_visible; }
+  void CountFound(LandmarkId id) { ++landmarks_.at(id).num_found; }
 
   /// The keypoint must see nothing yet, and the landmark nothing in that keyframe.
   void AddObservation(LandmarkId id, const Observation& observation);
@@ -118,14 +142,35 @@ class Map {
   /// As FindCovisible for a frame that is not in the map.
   std::vector<Covisible> FindCovisible(const Frame& frame, int min_shared = 1) const;
 
+  /// Memory held by kept keyframes and living landmarks.
+  std::size_t working_set_bytes() const;
+  /// Memory held by what stays of every keyframe.
+  std::size_t place_bytes() const { return places_.size() * sizeof(Place); }
+
  private:
   Reference MakeReference(const Observation& observation);
+  /// What stays of a keyframe.
+  struct Place {
+    SE3 pose;                   // anchor_from_keyframe or, without an anchor, world_from_keyframe.
+    KeyframeId anchor = kNoId;  // Of a retired keyframe.
+    int segment = 0;
+  };
+  struct Merge {
+    KeyframeId newest_keyframe;
+    LandmarkId from;
+  };
+
   std::vector<Covisible> CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,
                                      int min_shared) const;
 
-  std::deque<Keyframe> keyframes_;
-  std::deque<std::optional<Landmark>> landmarks_;
-  std::deque<LandmarkId> merged_into_;
+  std::vector<LandmarkId> LandmarksOf(KeyframeId id) const;
+
+  std::unordered_map<KeyframeId, Keyframe> keyframes_;  // Kept.
+  std::unordered_map<LandmarkId, Landmark> landmarks_;  // Living.
+  std::unordered_map<LandmarkId, LandmarkId> merged_into_;
+  std::deque<Merge> merges_;  // What is in merged_into_, in order of time.
+  std::deque<Place> places_;  // Of every keyframe.
+  int num_landmark_ids_ = 0;
 };
 
 }  // namespace corvo

@@ -55,14 +55,11 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
   return count;
 }
 
-/// Keyframes of a segment that are not retired.
+/// Kept keyframes of a segment.
 int CountKept(const Map& map, int segment) {
-  int count = 0;
-  for (KeyframeId id = map.num_keyframes() - 1; id >= 0; --id) {
-    if (map.keyframe(id).segment != segment) break;
-    count += !map.keyframe(id).retired();
-  }
-  return count;
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  return static_cast<int>(std::count_if(
+      kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
 }
 
 }  // namespace
@@ -89,7 +86,19 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   return Accept(std::move(frame), tracking);
 }
 
-void Odometry::Reset() { *this = Odometry(Camera(given_camera_), options_, threads_); }
+void Odometry::Reset() {
+  LandmarkSink sink = std::move(landmark_sink_);
+  *this = Odometry(Camera(given_camera_), options_, threads_);
+  landmark_sink_ = std::move(sink);
+}
+
+MemoryUse Odometry::memory_use() const {
+  MemoryUse use;
+  use.working_set_bytes = map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_);
+  use.keyframe_bytes = map_.place_bytes();
+  use.frame_bytes = records_.num_bytes();
+  return use;
+}
 
 const Frame& Odometry::last_frame() const {
   const Frame* waiting = initializer_.newest();
@@ -119,7 +128,7 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
   extractor_.Extract(image, mask, features, patches);
   Frame frame =
       MakeFrame(records_.size(), time_ns, std::move(features), camera_, std::move(patches));
-  FrameResult result;
+  FrameOutcome result;
   result.index = frame.index;
   result.time_ns = time_ns;
   result.num_features = frame.num_keypoints();
@@ -155,10 +164,11 @@ void Odometry::ExtendMap(Frame& frame) {
   StartAdjustment(keyframe);
   frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
   records_.SetPose(frame.index, keyframe, SE3());
-  records_.result(frame.index).is_keyframe = true;
+  records_.outcome(frame.index).is_keyframe = true;
 }
 
 void Odometry::AddLandmarksAround(KeyframeId keyframe) {
+  constexpr int kAlignedKeyframes = 30;  // Newest, in which landmarks are still aligned.
   const StageTimer timer(times_.map_ms);
   for (const LandmarkId id : map_.keyframe(keyframe).frame.landmarks) {
     if (id != kNoId) map_.UpdateAppearance(id, noise_.octave_scales);
@@ -170,6 +180,14 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
     recent_landmarks_.push_back(id);
   }
   FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+  map_.DropPatches(keyframe - kAlignedKeyframes);
+}
+
+void Odometry::ArchiveKeyframes() {
+  for (const FinishedLandmark& landmark :
+       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes)) {
+    if (landmark_sink_) landmark_sink_(landmark);
+  }
 }
 
 void Odometry::StartAdjustment(KeyframeId newest) {
@@ -213,12 +231,6 @@ bool Odometry::IsCalibrationDue() const {
 
 void Odometry::SetCalibration(const CalibrationEstimate& estimate) {
   calibration_ = estimate;
-  if (getenv("CALV"))
-    fprintf(stderr, "CAL frame %d kf %d: f %.5f+-%.5f k1 %.4f+-%.4f k2 %.4f+-%.4f\n",
-            records_.size(), num_calibrated_, estimate.calibration[0],
-            std::sqrt(estimate.covariance(0, 0)), estimate.calibration[1],
-            std::sqrt(estimate.covariance(1, 1)), estimate.calibration[2],
-            std::sqrt(estimate.covariance(2, 2)));
   camera_ = Camera(ApplyCalibration(given_camera_, estimate.calibration));
   map_.UpdateRays(camera_);
   initializer_.SetCamera(camera_);
@@ -239,6 +251,7 @@ void Odometry::FinishAdjustment() {
   contradicts_prior_ |= adjustment.contradicts_prior;
   if (adjustment.calibration) SetCalibration(*adjustment.calibration);
   CullKeyframes(map_, adjusted_, options_.keyframes);
+  ArchiveKeyframes();
   if (records_.IsPosed(previous_.index)) {
     previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
   }
@@ -297,7 +310,7 @@ FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
 void Odometry::SetUnposed(int frame, const TrackingResult& tracking,
                           const InitializationResult& initialization) {
   state_ = has_map() ? State::kLost : State::kInitializing;
-  FrameResult& result = records_.result(frame);
+  FrameOutcome& result = records_.outcome(frame);
   result.state = state_;
   const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
   result.reason = has_map() && !is_blank ? tracking.reason : initialization.reason;
@@ -316,8 +329,8 @@ void Odometry::SetRotation(int frame, const InitializationResult& initialization
   records_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
   if (!records_.RotationOf(frame, map_)) return;
   segment_ = std::max(segment_, 0);
-  records_.result(frame).state = State::kRotationOnly;
-  records_.result(frame).reason = initialization.reason;
+  records_.outcome(frame).state = State::kRotationOnly;
+  records_.outcome(frame).reason = initialization.reason;
 }
 
 bool Odometry::MayStartSegment(TimeNs time_ns) const {
@@ -375,8 +388,9 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
     frame.landmarks = map_.keyframe(id).frame.landmarks;
     if (records_.IsPosed(frame.index)) continue;
     records_.SetPose(frame.index, id, SE3());
-    records_.result(frame.index).is_keyframe = true;
+    records_.outcome(frame.index).is_keyframe = true;
   }
+  ArchiveKeyframes();
 }
 
 void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step) {
@@ -413,7 +427,7 @@ void Odometry::SetMotion(const Frame& from, const Frame& to) {
 }
 
 void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
-  FrameResult& result = records_.result(frame.index);
+  FrameOutcome& result = records_.outcome(frame.index);
   result.state = State::kTracking;
   result.reason = Reason::kNone;
   result.segment = segment_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <future>
 #include <optional>
 #include <vector>
@@ -31,6 +33,13 @@ struct StageTimes {
   double adjust_ms = 0;  ///< Bundle adjustment.
 };
 
+/// Bytes held, by counting what the containers hold.
+struct MemoryUse {
+  std::size_t working_set_bytes = 0;  ///< Frames with features, and landmarks. Bounded.
+  std::size_t keyframe_bytes = 0;     ///< What stays of every keyframe. Grows.
+  std::size_t frame_bytes = 0;        ///< What stays of every frame. Grows.
+};
+
 /// Monocular visual odometry: images in, one FrameResult an image out. Deterministic: the same
 /// images, camera and options give the same results, for any number of threads. Instances share
 /// nothing.
@@ -39,9 +48,9 @@ class Odometry {
   /// Throws corvo::Error on options out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
 
-  /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before; `mask` is
-  /// empty or of the image's size, 8-bit: features are found where it is not 0. Throws corvo::Error
-  /// otherwise, and is then as it was before the call.
+  /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before; `mask`
+  /// is empty or of the image's size, 8-bit: features are found where it is not 0. Throws
+  /// corvo::Error otherwise, and is then as it was before the call.
   FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
   /// Every frame so far, with poses as the map knows them now: later adjustment moves earlier
@@ -55,11 +64,19 @@ class Odometry {
   /// As newly made, with the same camera and options.
   void Reset();
 
-  /// Keyframes and landmarks, of all segments.
+  /// Keyframes and landmarks. Features and landmarks are those of the newest keyframes, and of
+  /// those they share landmarks with: older ones have left.
   const Map& map() const { return map_; }
 
-  /// The frame processed last, with its tracks: keypoint k sees landmark `landmarks[k]` or, if that
-  /// is kNoId, none. Before the first frame, it is empty.
+  /// Calls `sink` with each landmark that leaves the map from now on, to go nowhere else. Stays
+  /// through a Reset.
+  using LandmarkSink = std::function<void(const FinishedLandmark&)>;
+  void SetLandmarkSink(LandmarkSink sink) { landmark_sink_ = std::move(sink); }
+
+  MemoryUse memory_use() const;
+
+  /// The frame processed last, with its tracks: keypoint k sees landmark `landmarks[k]` or, if
+  /// that is kNoId, none. Before the first frame, it is empty.
   const Frame& last_frame() const;
 
   /// As it was given, or as it is estimated meanwhile.
@@ -101,6 +118,8 @@ class Odometry {
   /// Whenever the map has grown by half.
   bool IsCalibrationDue() const;
   void SetCalibration(const CalibrationEstimate& estimate);
+  /// Keeps what the relocalizer looks at and what belongs to it; the rest leaves the map.
+  void ArchiveKeyframes();
   /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
 
@@ -136,6 +155,7 @@ class Odometry {
   KeypointNoise noise_;
   Initializer initializer_;
   Map map_;
+  LandmarkSink landmark_sink_;
   std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
   FrameRecords records_;
   State state_ = State::kInitializing;

@@ -9,14 +9,12 @@
 namespace corvo {
 namespace {
 
-/// The newest keyframes of a segment that are not retired, newest first.
+/// The newest kept keyframes of a segment, newest first.
 std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
-  std::vector<KeyframeId> keyframes;
-  for (KeyframeId id = map.num_keyframes() - 1; id >= 0; --id) {
-    if (static_cast<int>(keyframes.size()) == max_keyframes) break;
-    const Keyframe& keyframe = map.keyframe(id);
-    if (keyframe.segment == segment && !keyframe.retired()) keyframes.push_back(id);
-  }
+  std::vector<KeyframeId> keyframes = map.KeptKeyframes();
+  std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
+  std::reverse(keyframes.begin(), keyframes.end());
+  if (static_cast<int>(keyframes.size()) > max_keyframes) keyframes.resize(max_keyframes);
   return keyframes;
 }
 

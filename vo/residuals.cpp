@@ -38,8 +38,7 @@ void AppendResiduals(const Map& map, const Keyframe& keyframe, const Camera& cam
 std::optional<MatchResiduals> MeasureResiduals(const Map& map, const Camera& camera,
                                                const std::vector<double>& octave_scales) {
   std::vector<double> residuals;
-  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
-    if (map.keyframe(id).retired()) continue;
+  for (const KeyframeId id : map.KeptKeyframes()) {
     AppendResiduals(map, map.keyframe(id), camera, octave_scales, residuals);
   }
   if (residuals.empty()) return std::nullopt;

@@ -13,6 +13,7 @@
 #include "apps/environment.h"
 #include "bench/odometry/child_process.h"
 #include "bench/odometry/cost.h"
+#include "bench/odometry/endurance.h"
 #include "bench/odometry/report.h"
 #include "bench/odometry/scenarios.h"
 #include "vo/config.h"
@@ -26,6 +27,7 @@ struct Arguments {
   std::string config;
   std::string json;
   int jobs = 2;
+  int endurance_frames = 0;
   bool rendered = false;
   bool cost = false;
   bool details = false;
@@ -101,6 +103,20 @@ void PrintCosts(const OdometryOptions& options) {
   });
 }
 
+/// What is held after a tenth, a quarter, half and all of the frames.
+void PrintEndurance(const Arguments& arguments, const OdometryOptions& options) {
+  const int frames = arguments.endurance_frames;
+  fmt::print("{}", HoldingHead());
+  for (const Scenario& scenario : EnduranceScenarios(frames)) {
+    if (!std::regex_search(scenario.title, std::regex(arguments.scenarios))) continue;
+    MeasureHoldings(scenario.make(), options, {frames / 10, frames / 4, frames / 2, frames},
+                    [&](const Holding& holding) {
+                      fmt::print("{}", HoldingLine(scenario.title, holding));
+                      std::fflush(stdout);
+                    });
+  }
+}
+
 void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--scenarios", arguments.scenarios, "those whose title matches this expression");
   app.add_option("--perturbations", arguments.perturbations, "those whose title matches");
@@ -109,6 +125,10 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--jobs", arguments.jobs, "trials at once")->check(CLI::Range(1, 1024));
   app.add_flag("--rendered", arguments.rendered, "also the rendered scenarios; they take minutes");
   app.add_flag("--cost", arguments.cost, "processor time against cv::ORB instead");
+  app.add_option(
+         "--endurance", arguments.endurance_frames,
+         "memory held over so many frames of scenes without an end instead; 20000 take long")
+      ->check(CLI::Range(10, 10'000'000));
   app.add_flag("--details", arguments.details, "a line for each trial, too");
 }
 
@@ -128,6 +148,10 @@ int Main(int argc, char** argv) {
       arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
   if (arguments.cost) {
     PrintCosts(options);
+    return 0;
+  }
+  if (arguments.endurance_frames > 0) {
+    PrintEndurance(arguments, options);
     return 0;
   }
   const std::vector<Trial> trials = RunTrials(SelectScenarios(arguments), arguments, options);

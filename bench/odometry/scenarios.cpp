@@ -75,4 +75,21 @@ std::vector<Scenario> RenderedScenarios() {
           {"rendered room, 3 s dark, 2 s blur, fast turn", room, {Perturbation()}}};
 }
 
+std::vector<Scenario> EnduranceScenarios(int frames) {
+  const auto street = [frames] {
+    synthetic::SequenceOptions options;
+    options.frames = frames;
+    options.width = 480;
+    return Film(synthetic::MakeStreet(options));
+  };
+  const auto room = [frames] {
+    synthetic::SequenceOptions options;
+    options.frames = frames;
+    options.width = 320;
+    return Film(synthetic::MakeRoom(options));
+  };
+  return {{"endless street", street, {Perturbation()}},
+          {"room, round and round", room, {Perturbation()}}};
+}
+
 }  // namespace corvo::bench

@@ -19,6 +19,9 @@ struct Scenario {
 /// The sequences of the test data, each under every perturbation.
 std::vector<Scenario> RecordedScenarios();
 
+/// A street that never ends, and a room that is walked round and round, in small pictures.
+std::vector<Scenario> EnduranceScenarios(int frames);
+
 /// Two kilometres of a street with a fifth of the picture moving, and a room with three seconds of
 /// dark and two of blur.
 std::vector<Scenario> RenderedScenarios();

@@ -44,18 +44,33 @@ TEST_F(CullingTest, RedundantKeyframesAreRetiredButNeverTheFirstOrTheNewest) {
   }
   map_ = test::MakeMap(scene_, views_, noise_);
   CullKeyframes(map_, 5, options_);
-  EXPECT_FALSE(map_.keyframe(0).retired());
-  EXPECT_FALSE(map_.keyframe(5).retired());
-  EXPECT_TRUE(map_.keyframe(1).retired());
-  int num_kept = 0;
-  for (KeyframeId id = 0; id < 6; ++id) num_kept += !map_.keyframe(id).retired();
-  EXPECT_GE(num_kept, 3);  // Three others must see what is redundant.
+  EXPECT_TRUE(map_.IsKept(0));
+  EXPECT_TRUE(map_.IsKept(5));
+  EXPECT_FALSE(map_.IsKept(1));
+  EXPECT_GE(map_.KeptKeyframes().size(), 3u);  // Three others must see what is redundant.
 }
 
 TEST_F(CullingTest, NeededKeyframesStay) {
   MakeViews(3, 400);
   CullKeyframes(map_, 2, options_);
-  for (KeyframeId id = 0; id < 3; ++id) EXPECT_FALSE(map_.keyframe(id).retired());
+  EXPECT_EQ(map_.KeptKeyframes().size(), 3u);
+}
+
+TEST_F(CullingTest, OldKeyframesAreArchivedUnlessARecentOneSeesTheirLandmarks) {
+  step_ = 0;
+  MakeViews(5, 0);
+  const LandmarkId old = map_.AddLandmark({0, 0, 5}, {{0, 0}, {2, 0}});
+  const LandmarkId shared = map_.AddLandmark({0, 0, 5}, {{1, 1}, {3, 1}});
+  const LandmarkId recent = map_.AddLandmark({0, 0, 5}, {{3, 2}, {4, 2}});
+  EXPECT_TRUE(ArchiveKeyframes(map_, 5).empty());
+  EXPECT_EQ(map_.KeptKeyframes().size(), 5u);
+  const std::vector<FinishedLandmark> finished = ArchiveKeyframes(map_, 2);
+  EXPECT_THAT(map_.KeptKeyframes(), ::testing::ElementsAre(1, 3, 4));
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].id, old);
+  EXPECT_NE(map_.FindLandmark(shared), nullptr);
+  EXPECT_NE(map_.FindLandmark(recent), nullptr);
+  EXPECT_TRUE(ArchiveKeyframes(map_, 2).empty());
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ class FrameRecordsTest : public ::testing::Test {
  protected:
   FrameRecordsTest() {
     for (int i = 0; i < 4; ++i) {
-      FrameResult result;
-      result.index = i;
-      result.state = State::kRotationOnly;
-      records_.Add(result);
+      FrameOutcome outcome;
+      outcome.index = i;
+      outcome.state = State::kRotationOnly;
+      records_.Add(outcome);
     }
     Frame keyframe;
     keyframe.world_from_camera = pose_;
@@ -58,6 +58,17 @@ TEST_F(FrameRecordsTest, RotationsAreChainedToTheBeginning) {
   records_.SetRotation(0, 0, SO3());
   records_.SetRotation(2, 0, turn_);
   EXPECT_THAT(*records_.RotationOf(2, map_), test::IsRotationNear(turn_, 1e-9));
+}
+
+TEST_F(FrameRecordsTest, APoseTakesThePlaceOfARotation) {
+  records_.SetRotation(0, 0, turn_);
+  records_.SetPose(0, keyframe_, SE3());
+  EXPECT_EQ(*records_.ResultOf(0, map_).world_from_camera, pose_);
+  EXPECT_THAT(*records_.RotationOf(0, map_), test::IsRotationNear(pose_.rotation(), 1e-9));
+}
+
+TEST_F(FrameRecordsTest, AFrameTakesAtMost200Bytes) {
+  EXPECT_LE(records_.num_bytes(), 200u * static_cast<std::size_t>(records_.size()));
 }
 
 TEST_F(FrameRecordsTest, ABrokenChainTellsNothing) {

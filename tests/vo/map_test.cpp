@@ -34,7 +34,7 @@ Frame MakeBareFrame(int num_keypoints, const SE3& world_from_camera = SE3()) {
 
 /// Links agree both ways.
 void ExpectConsistent(const Map& map) {
-  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
+  for (const KeyframeId id : map.KeptKeyframes()) {
     const Frame& frame = map.keyframe(id).frame;
     for (int k = 0; k < static_cast<int>(frame.landmarks.size()); ++k) {
       if (frame.landmarks[k] == kNoId) continue;
@@ -115,13 +115,72 @@ TEST_F(MapTest, RetiredKeyframesMoveWithTheirAnchors) {
   const SE3 relative = map_.WorldFromKeyframe(2).Inverse() * map_.WorldFromKeyframe(1);
   map_.RetireKeyframe(1, 2);
   map_.RetireKeyframe(2, 3);
-  EXPECT_TRUE(map_.keyframe(1).retired());
+  EXPECT_FALSE(map_.IsKept(1));
   const SE3 moved(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7));
   const SE3 second_from_third = map_.WorldFromKeyframe(3).Inverse() * map_.WorldFromKeyframe(2);
   map_.SetPose(3, moved);
   EXPECT_THAT(map_.WorldFromKeyframe(2), test::IsPoseNear(moved * second_from_third, 1e-9, 1e-9));
   EXPECT_THAT(map_.WorldFromKeyframe(1),
               test::IsPoseNear(moved * second_from_third * relative, 1e-9, 1e-9));
+}
+
+TEST_F(MapTest, ArchivedKeyframesStayWhereTheyWere) {
+  const SE3 pose = map_.WorldFromKeyframe(1);
+  const SE3 retired = map_.WorldFromKeyframe(0);
+  map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
+  map_.RetireKeyframe(0, 1);
+  map_.ArchiveKeyframe(1);
+  map_.SetPose(2, SE3(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7)));
+  EXPECT_EQ(map_.num_keyframes(), 4);
+  EXPECT_THAT(map_.KeptKeyframes(), ElementsAre(2, 3));
+  EXPECT_EQ(map_.SegmentOf(1), 0);
+  EXPECT_EQ(map_.WorldFromKeyframe(1), pose);
+  EXPECT_THAT(map_.WorldFromKeyframe(0), test::IsPoseNear(retired, 1e-9, 1e-9));
+  EXPECT_EQ(map_.AddKeyframe(MakeBareFrame(1), 0), 4);
+}
+
+TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
+  const LandmarkId both = map_.AddLandmark({1, 2, 3}, {{0, 3}, {1, 3}});
+  const LandmarkId longer = map_.AddLandmark({4, 5, 6}, {{0, 1}, {1, 1}, {2, 1}});
+  const LandmarkId elsewhere = map_.AddLandmark({7, 8, 9}, {{2, 2}, {3, 2}});
+  const std::vector<FinishedLandmark> finished = map_.ArchiveKeyframe(0);
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].id, both);
+  EXPECT_EQ(finished[0].segment, 0);
+  EXPECT_EQ(finished[0].in_world, Eigen::Vector3d(1, 2, 3));
+  EXPECT_THAT(map_.FindLandmark(both), IsNull());
+  EXPECT_EQ(map_.Resolve(both), kNoId);
+  EXPECT_EQ(map_.keyframe(1).frame.landmarks[3], kNoId);
+  EXPECT_THAT(map_.FindLandmark(longer)->observations,
+              ElementsAre(Observation{1, 1}, Observation{2, 1}));
+  EXPECT_THAT(map_.FindLandmark(elsewhere), NotNull());
+  EXPECT_EQ(map_.num_landmarks(), 2);
+  EXPECT_EQ(map_.AddLandmark({1, 2, 3}, {{1, 0}, {2, 0}}), 3);  // Ids are not used again.
+}
+
+TEST_F(MapTest, OldMergesAreForgotten) {
+  const LandmarkId a = map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}});
+  const LandmarkId b = map_.AddLandmark({1, 2, 3}, {{2, 1}, {3, 1}});
+  const LandmarkId c = map_.AddLandmark({1, 2, 3}, {{2, 2}, {3, 2}});
+  map_.MergeLandmark(b, a);
+  const KeyframeId newer = map_.AddKeyframe(MakeBareFrame(3), 0);
+  map_.MergeLandmark(c, a);
+  map_.ForgetMergesBefore(newer);
+  EXPECT_EQ(map_.Resolve(b), kNoId);
+  EXPECT_EQ(map_.Resolve(c), a);
+}
+
+TEST_F(MapTest, WhatLeavesGivesItsMemoryBack) {
+  const std::size_t before = map_.working_set_bytes();
+  const KeyframeId first = map_.AddKeyframe(MakeBareFrame(200), 0);
+  const KeyframeId second = map_.AddKeyframe(MakeBareFrame(200), 0);
+  for (int k = 0; k < 200; ++k) map_.AddLandmark({1, 2, 3}, {{first, k}, {second, k}});
+  EXPECT_GT(map_.working_set_bytes(), before + 2 * 200 * sizeof(orb::Descriptor));
+  EXPECT_EQ(map_.ArchiveKeyframe(first).size(), 200u);
+  map_.ArchiveKeyframe(second);
+  constexpr std::size_t kBuckets = 4096;  // A hash map's table does not shrink.
+  EXPECT_LT(map_.working_set_bytes(), before + kBuckets);
+  EXPECT_LE(map_.place_bytes(), 100u * static_cast<std::size_t>(map_.num_keyframes()));
 }
 
 TEST_F(MapTest, CovisibleKeyframesComeMostSharedThenNewestFirst) {

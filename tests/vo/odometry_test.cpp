@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <vector>
 
 #include "tests/support/matchers.h"
@@ -31,8 +32,8 @@ cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
 /// Two parallel textured walls, the nearer over the picture's middle, seen from x.
 class TwoWalls {
  public:
-  explicit TwoWalls(std::uint64_t seed)
-      : near_(MakeTexture(1600, 240, seed)), far_(MakeTexture(1600, 480, seed + 1)) {}
+  explicit TwoWalls(std::uint64_t seed, int width = 1600)
+      : near_(MakeTexture(width, 240, seed)), far_(MakeTexture(width, 480, seed + 1)) {}
 
   cv::Mat Render(double x) const {
     cv::Mat picture;
@@ -204,6 +205,46 @@ TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
       EXPECT_LE(started_s, max_lost_s + 0.5);
     }
   }
+}
+
+/// A drive past one wall after another, 0.1 a frame.
+std::vector<cv::Mat> MakeLongDrive(int num_frames) {
+  const TwoWalls walls(11, 1600 + 13 * num_frames);
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < num_frames; ++i) {
+    cv::Mat picture;
+    cv::resize(walls.Render(0.1 * i), picture, {320, 240}, 0, 0, cv::INTER_AREA);
+    pictures.push_back(picture);
+  }
+  return pictures;
+}
+
+TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
+  constexpr int kFrames = 300;
+  const std::vector<cv::Mat> drive = MakeLongDrive(kFrames);
+  CameraParameters half = test::PinholeCamera().parameters();
+  half.width /= 2, half.height /= 2;
+  half.fx /= 2, half.fy /= 2, half.cx = 159.5, half.cy = 119.5;
+  OdometryOptions options;
+  options.calibration.enabled = false;  // What tells the camera may have left.
+  Odometry everything(Camera(half), options);
+  options.relocalizer.max_keyframes = 8;
+  Odometry newest(Camera(half), options);
+  std::set<LandmarkId> finished;
+  newest.SetLandmarkSink(
+      [&](const FinishedLandmark& landmark) { EXPECT_TRUE(finished.insert(landmark.id).second); });
+  std::size_t half_way_bytes = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    everything.Process(drive[i], (i + 1) * kFrameTime);
+    newest.Process(drive[i], (i + 1) * kFrameTime);
+    if (i == kFrames / 2) half_way_bytes = newest.memory_use().working_set_bytes;
+  }
+  EXPECT_GE(everything.GetTrajectory().PosedShare(), 0.9);
+  ExpectIdentical(everything.GetTrajectory(), newest.GetTrajectory());
+  EXPECT_LT(newest.map().KeptKeyframes().size(), 0.7 * everything.map().KeptKeyframes().size());
+  EXPECT_NEAR(newest.memory_use().working_set_bytes, half_way_bytes, 0.2 * half_way_bytes);
+  EXPECT_EQ(newest.map().num_landmarks() + finished.size(), everything.map().num_landmarks());
+  for (const LandmarkId id : finished) EXPECT_EQ(newest.map().FindLandmark(id), nullptr);
 }
 
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {

@@ -1,0 +1,51 @@
+#include "apps/landmark_spool.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "apps/map_ply.h"
+
+namespace corvo {
+namespace {
+
+FinishedLandmark At(LandmarkId id, int segment, double x) {
+  return {id, segment, {x, 0.5, -1.0 / 3}};
+}
+
+TEST(LandmarkSpool, GivesBackWhatItTook) {
+  LandmarkSpool spool;
+  spool.ForEach([](const FinishedLandmark&) { FAIL(); });
+  std::vector<FinishedLandmark> given = {At(7, 0, 1), At(3, 2, 1e-9)};
+  for (int round = 0; round < 2; ++round) {  // Reading does not disturb writing.
+    std::size_t i = 0;
+    for (const FinishedLandmark& landmark : given) {
+      if (round == 0 || landmark.id == 9) spool.Add(landmark);
+    }
+    spool.ForEach([&](const FinishedLandmark& landmark) {
+      ASSERT_LT(i, given.size());
+      EXPECT_EQ(landmark.id, given[i].id);
+      EXPECT_EQ(landmark.segment, given[i].segment);
+      EXPECT_EQ(landmark.in_world, given[i].in_world);
+      ++i;
+    });
+    EXPECT_EQ(i, given.size());
+    EXPECT_EQ(spool.size(), static_cast<int>(given.size()));
+    EXPECT_EQ(spool.num_bytes(), 32 * given.size());
+    given.push_back(At(9, 2, 4));
+  }
+}
+
+TEST(LandmarkSpool, ItsLandmarksAreInTheMapThatIsWritten) {
+  LandmarkSpool spool;
+  spool.Add(At(0, 1, 2));
+  Map map;
+  map.AddKeyframe(Frame(), 0);
+  const std::string ply = MapPly(spool, map, 10);
+  EXPECT_THAT(ply, testing::HasSubstr("element vertex 2\n"));
+  EXPECT_THAT(ply, testing::HasSubstr("end_header\n20 5 -3.33333333 160 160 160 1\n0 0 0"));
+}
+
+}  // namespace
+}  // namespace corvo
