@@ -78,6 +78,7 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
+  output.Write("camera_estimated.yaml", WriteCameraFile({record.odometry.camera(), {}}));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
   const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);
@@ -86,7 +87,8 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   }
   output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
                  "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv",
-                 "config.yaml", "environment.json", "trajectory.png", "summary.json"});
+                 "config.yaml", "camera_estimated.yaml", "environment.json", "trajectory.png",
+                 "summary.json"});
 }
 
 }  // namespace corvo

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/calibration_report.h"
 #include "apps/evaluation_report.h"
 #include "apps/kitti_trajectory.h"
 #include "apps/reasons.h"
@@ -57,10 +58,11 @@ std::string ReasonsText(const RunSummary& summary) {
   return text;
 }
 
-std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Map& map) {
+std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Odometry& odometry) {
   const orb::ExtractorOptions& extractor = inputs.options.extractor;
-  const auto residuals = MeasureResiduals(
-      map, inputs.camera, orb::OctaveScales(extractor.num_levels, extractor.scale_factor));
+  const auto residuals =
+      MeasureResiduals(odometry.map(), odometry.camera(),
+                       orb::OctaveScales(extractor.num_levels, extractor.scale_factor));
   if (residuals && IsImplausible(*residuals)) {
     spdlog::warn(
         "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
@@ -124,7 +126,10 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
-  summary.residuals = MeasureAndWarn(inputs, map);
+  summary.residuals = MeasureAndWarn(inputs, record.odometry);
+  WarnOfContradiction(record.odometry);
+  summary.calibration = CalibrationJson(record.odometry);
+  summary.calibration_text = CalibrationText(record.odometry);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);
@@ -144,6 +149,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   AddInputJson(arguments, json);
   json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
   json["camera"] = CameraJson(inputs.camera.parameters());
+  json["calibration"] = summary.calibration;
   json["frames"] = summary.num_frames;
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
@@ -173,7 +179,7 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       ToString(summary.outcome), summary.num_frames, summary.num_posed,
       100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
       summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
-  text += ReasonsText(summary);
+  text += ReasonsText(summary) + summary.calibration_text;
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {
     text += ToText(fmt::format("{} rotations, 1 s", summary.num_rotations), *summary.rotation_deg,

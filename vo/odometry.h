@@ -83,6 +83,10 @@ class Odometry {
   const Camera& camera() const { return camera_; }
   /// How far that is from what was given, and how surely.
   const CalibrationEstimate& calibration() const { return calibration_; }
+  const CameraParameters& given_camera() const { return given_camera_; }
+  /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
+  bool contradicts_given_camera() const { return contradicts_prior_; }
+  const OdometryOptions& options() const { return options_; }
 
   const StageTimes& last_times() const { return times_; }
 
