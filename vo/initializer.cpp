@@ -156,9 +156,16 @@ SO3 Initializer::RefineRotation(const Frame& reference, const SO3& reference_fro
   constexpr double kRadiusPx = 10;
   constexpr std::size_t kMinMatches = 10;
   const SO3 newest_from_reference = reference_from_newest.Inverse();
-  const std::vector<RayMatch> matches =
-      ToRayMatches(reference, MatchRotatedFrames(reference, frames_.back(), newest_from_reference,
-                                                 camera_, noise_.octave_scales, kRadiusPx));
+  const std::vector<orb::Match> keypoints = MatchRotatedFrames(
+      reference, frames_.back(), newest_from_reference, camera_, noise_.octave_scales, kRadiusPx);
+  std::vector<RayMatch> matches = ToRayMatches(reference, keypoints);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto aligned = AlignRotatedMatch(reference, frames_.back(), keypoints[i],
+                                           newest_from_reference, camera_, noise_.octave_scales);
+    if (!aligned) continue;
+    matches[i].second = *aligned;
+    matches[i].sigma *= noise_.aligned_sigma_px / noise_.sigma_px;
+  }
   if (matches.size() < kMinMatches) return reference_from_newest;
   return corvo::RefineRotation(matches, EstimateRotation(matches)).Inverse();
 }

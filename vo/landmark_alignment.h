@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "vo/camera.h"
@@ -19,6 +20,13 @@ bool AlignKeypoint(const Map& map, const Landmark& landmark, const Camera& camer
 /// AlignKeypoint for an observation of the map.
 bool AlignObservation(LandmarkId landmark, const Observation& observation, const Camera& camera,
                       const std::vector<double>& octave_scales, Map& map);
+
+/// The ray by which the second of two frames shows exactly what a keypoint of the first sees, where
+/// between them the camera only turned. None where the patches do not fit or there are none.
+std::optional<Eigen::Vector2d> AlignRotatedMatch(const Frame& first, const Frame& second,
+                                                 const orb::Match& match,
+                                                 const SO3& second_from_first, const Camera& camera,
+                                                 const std::vector<double>& octave_scales);
 
 /// AlignKeypoint for every keypoint of a frame that sees a landmark.
 void AlignKeypoints(const Map& map, const Camera& camera, const std::vector<double>& octave_scales,
