@@ -44,13 +44,12 @@ bool IsFirstOfSegment(const Map& map, const Keyframe& keyframe) {
   return keyframe.id == 0 || map.SegmentOf(keyframe.id - 1) != keyframe.segment;
 }
 
-/// One of the landmarks that the keyframe sees was seen again from `first_recent` on.
-bool IsSeenSince(const Map& map, const Keyframe& keyframe, KeyframeId first_recent) {
-  return std::any_of(
-      keyframe.frame.landmarks.begin(), keyframe.frame.landmarks.end(), [&](LandmarkId id) {
-        const Landmark* landmark = map.FindLandmark(id);
-        return landmark != nullptr && landmark->observations.back().keyframe >= first_recent;
-      });
+bool SharesLandmark(const Map& map, const Keyframe& keyframe, KeyframeId newest) {
+  for (const LandmarkId id : keyframe.frame.landmarks) {
+    const Landmark* landmark = map.FindLandmark(id);
+    if (landmark != nullptr && landmark->observations.back().keyframe == newest) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -86,9 +85,8 @@ std::vector<FinishedLandmark> ArchiveKeyframes(Map& map, int num_recent) {
   const std::vector<KeyframeId> kept = map.KeptKeyframes();
   std::vector<FinishedLandmark> finished;
   if (static_cast<int>(kept.size()) <= num_recent) return finished;
-  const auto first_recent = kept.end() - num_recent;
-  for (auto id = kept.begin(); id != first_recent; ++id) {
-    if (IsSeenSince(map, map.keyframe(*id), *first_recent)) continue;
+  for (auto id = kept.begin(); id != kept.end() - num_recent; ++id) {
+    if (SharesLandmark(map, map.keyframe(*id), kept.back())) continue;
     const std::vector<FinishedLandmark> left = map.ArchiveKeyframe(*id);
     finished.insert(finished.end(), left.begin(), left.end());
   }

@@ -18,8 +18,8 @@ void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<Landmar
 void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options);
 
 /// Archives the keyframes that nothing looks at any more: older than the `num_recent` newest that
-/// are kept, and without a landmark that one of those sees. Returns the landmarks that left.
-/// Forgets merges from before the `num_recent` newest keyframes of all.
+/// are kept, and without a landmark of the newest. Returns the landmarks that left. Forgets merges
+/// from before the `num_recent` newest keyframes of all.
 std::vector<FinishedLandmark> ArchiveKeyframes(Map& map, int num_recent);
 
 }  // namespace corvo

@@ -65,7 +65,7 @@ class Odometry {
   void Reset();
 
   /// Keyframes and landmarks. Features and landmarks are those of the newest keyframes, and of
-  /// those they share landmarks with: older ones have left.
+  /// those that share landmarks with the very newest: others have left.
   const Map& map() const { return map_; }
 
   /// Calls `sink` with each landmark that leaves the map from now on, to go nowhere else. Stays

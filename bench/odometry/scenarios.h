@@ -19,7 +19,8 @@ struct Scenario {
 /// The sequences of the test data, each under every perturbation.
 std::vector<Scenario> RecordedScenarios();
 
-/// A street that never ends, and a room that is walked round and round, in small pictures.
+/// In small pictures: a street of a kilometre, driven again and again with a cut in between, and a
+/// room, walked round and round.
 std::vector<Scenario> EnduranceScenarios(int frames);
 
 /// Two kilometres of a street with a fifth of the picture moving, and a room with three seconds of

@@ -56,11 +56,11 @@ TEST_F(CullingTest, NeededKeyframesStay) {
   EXPECT_EQ(map_.KeptKeyframes().size(), 3u);
 }
 
-TEST_F(CullingTest, OldKeyframesAreArchivedUnlessARecentOneSeesTheirLandmarks) {
+TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
   step_ = 0;
   MakeViews(5, 0);
   const LandmarkId old = map_.AddLandmark({0, 0, 5}, {{0, 0}, {2, 0}});
-  const LandmarkId shared = map_.AddLandmark({0, 0, 5}, {{1, 1}, {3, 1}});
+  const LandmarkId shared = map_.AddLandmark({0, 0, 5}, {{1, 1}, {4, 1}});
   const LandmarkId recent = map_.AddLandmark({0, 0, 5}, {{3, 2}, {4, 2}});
   EXPECT_TRUE(ArchiveKeyframes(map_, 5).empty());
   EXPECT_EQ(map_.KeptKeyframes().size(), 5u);
