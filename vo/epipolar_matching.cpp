@@ -19,6 +19,7 @@ struct FreeKeypoints {
   std::vector<double> x;  ///< Of the rays.
   std::vector<double> y;
   std::vector<double> max_squared_distances;  ///< From an epipolar line, squared ray units.
+  std::vector<double> octave_scales;
 };
 
 FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const KeypointNoise& noise) {
@@ -31,8 +32,39 @@ FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const Keypoi
     free.x.push_back(frame.rays[k].x());
     free.y.push_back(frame.rays[k].y());
     free.max_squared_distances.push_back(kChiSquare1Dof95 * sigma * sigma);
+    free.octave_scales.push_back(noise.octave_scales[frame.keypoint(k).octave]);
   }
   return free;
+}
+
+/// A keypoint of the first frame as the second camera has it.
+struct Query {
+  Eigen::Vector3d direction;  ///< Of its ray.
+  Eigen::Vector3d origin;     ///< Of the first camera.
+  double octave_scale;
+};
+
+/// Whether two rays may show one point: where they meet lies in front of both cameras, and the
+/// nearer camera sees it in the coarser octave. Rays within three sigmas of parallel meet anywhere.
+bool MayMeet(const Query& query, const FreeKeypoints& candidates, int candidate,
+             double octave_step) {
+  constexpr double kTolerance = 1.5;
+  constexpr double kParallelSigmas = 3;
+  const Eigen::Vector3d ray(candidates.x[candidate], candidates.y[candidate], 1);
+  const Eigen::Vector3d normal = query.direction.cross(ray);
+  const double squared_sine =
+      normal.squaredNorm() / (query.direction.squaredNorm() * ray.squaredNorm());
+  const double squared_sigma = candidates.max_squared_distances[candidate] / kChiSquare1Dof95;
+  double nearness = 1;  // Distance from the first camera over that from the second.
+  if (squared_sine > kParallelSigmas * kParallelSigmas * squared_sigma) {
+    const double first = -query.origin.cross(ray).dot(normal);
+    const double second = -query.origin.cross(query.direction).dot(normal);
+    if (first <= 0 || second <= 0) return false;
+    nearness = first * query.direction.norm() / (second * ray.norm());
+  }
+  const double by_octave = candidates.octave_scales[candidate] / query.octave_scale;
+  const double tolerance = kTolerance * octave_step;
+  return nearness < by_octave * tolerance && by_octave < nearness * tolerance;
 }
 
 /// Where a keypoint may lie: between the images of its ray's nearest and farthest point.
@@ -151,6 +183,7 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
   const FreeKeypoints free_first = CollectFree(first, camera, noise);
   const FreeKeypoints free_second = CollectFree(second, camera, noise);
+  const double octave_step = noise.octave_scales.size() > 1 ? noise.octave_scales[1] : 1;
   const RayGrid grid(free_second, kCellPx / camera.focal());
   const double margin = LargestMargin(free_second);
   std::vector<orb::Match> matches;
@@ -160,6 +193,11 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
     const auto segment = ProjectRay(ray, second_from_first, min_depth);
     if (!segment) continue;
     grid.Find(*segment, essential * ray.homogeneous(), margin, candidates);
+    const Query query{second_from_first.rotation() * ray.homogeneous(),
+                      second_from_first.translation(), free_first.octave_scales[i]};
+    std::erase_if(candidates, [&](int candidate) {
+      return !MayMeet(query, free_second, candidate, octave_step);
+    });
     const orb::Nearest nearest =
         orb::FindNearestAmong(free_first.descriptors[i], free_second.descriptors, candidates);
     if (nearest.index < 0 || nearest.distance > max_distance) continue;

@@ -20,9 +20,6 @@ struct View {
   const Frame& frame;
   int keypoint;
 
-  double Distance(const Eigen::Vector3d& in_world) const {
-    return (in_world - frame.world_from_camera.translation()).norm();
-  }
   double OctaveScale(const KeypointNoise& noise) const {
     return noise.octave_scales[frame.keypoint(keypoint).octave];
   }
@@ -34,16 +31,6 @@ bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& c
                                      noise.Sigma(view.frame, view.keypoint)};
   return SquaredError(observation, view.frame.world_from_camera.Inverse(), camera) <=
          kChiSquare2Dof95;
-}
-
-/// The nearer view should see the point in the coarser octave.
-bool OctavesAgree(const Eigen::Vector3d& in_world, const View& a, const View& b,
-                  const KeypointNoise& noise) {
-  constexpr double kTolerance = 1.5;
-  const double by_distance = a.Distance(in_world) / b.Distance(in_world);
-  const double by_octave = b.OctaveScale(noise) / a.OctaveScale(noise);
-  const double tolerance = kTolerance * noise.octave_scales[noise.octave_scales.size() > 1 ? 1 : 0];
-  return by_distance < by_octave * tolerance && by_octave < by_distance * tolerance;
 }
 
 std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, const Camera& camera,
@@ -59,7 +46,6 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, co
   if (!FitsView(*in_world, a, camera, noise) || !FitsView(*in_world, b, camera, noise)) {
     return std::nullopt;
   }
-  if (!OctavesAgree(*in_world, a, b, noise)) return std::nullopt;
   return in_world;
 }
 
