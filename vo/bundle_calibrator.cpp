@@ -10,6 +10,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "orb/error.h"
 #include "vo/bundle_problem.h"
 #include "vo/chi_square.h"
 #include "vo/reprojection_cost.h"
@@ -21,20 +22,24 @@ namespace {
 class CameraUnderAdjustment : public ceres::EvaluationCallback {
  public:
   CameraUnderAdjustment(const CameraParameters& given, const Calibration& calibration)
-      : given_(given), calibration_(calibration), camera_(Current()) {}
+      : given_(given), calibration_(calibration) {}
 
   void PrepareForEvaluation(bool, bool new_point) override {
-    if (new_point) camera_ = Current();
+    if (!new_point) return;
+    try {
+      camera_.emplace(ApplyCalibration(given_, calibration_));
+    } catch (const Error&) {
+      camera_.reset();
+    }
   }
 
-  const Camera& camera() const { return camera_; }
+  /// Null where the calibration is no camera's: a step too far, which the solver takes back.
+  const Camera* camera() const { return camera_ ? &*camera_ : nullptr; }
 
  private:
-  Camera Current() const { return Camera(ApplyCalibration(given_, calibration_)); }
-
   const CameraParameters& given_;
   const Calibration& calibration_;
-  Camera camera_;
+  std::optional<Camera> camera_;
 };
 
 /// ReprojectionCost with the calibration as its third parameter.
@@ -45,7 +50,8 @@ class CalibrationCost : public ceres::SizedCostFunction<2, 7, 3, 3> {
 
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const Camera& camera = adjusted_.camera();
+    if (adjusted_.camera() == nullptr) return false;
+    const Camera& camera = *adjusted_.camera();
     if (!ReprojectionCost(camera, pixel_, sigma_px_).Evaluate(parameters, residuals, jacobians)) {
       return false;
     }

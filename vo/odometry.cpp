@@ -12,6 +12,7 @@
 #include "vo/bundle_calibrator.h"
 #include "vo/culling.h"
 #include "vo/keyframe_policy.h"
+#include "vo/landmark_alignment.h"
 #include "vo/landmark_creation.h"
 #include "vo/landmark_fusion.h"
 #include "vo/relocalizer.h"
@@ -380,6 +381,7 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
         first.world_from_camera * Eigen::Vector3d(scale * point.in_first);
     const LandmarkId id = map_.AddLandmark(
         in_world, {{first_id, point.first_keypoint}, {second_id, point.second_keypoint}});
+    AlignObservation(id, {second_id, point.second_keypoint}, camera_, noise_.octave_scales, map_);
     map_.UpdateAppearance(id, noise_.octave_scales);
     recent_landmarks_.push_back(id);
   }

@@ -45,7 +45,8 @@ struct MemoryUse {
 /// nothing.
 class Odometry {
  public:
-  /// Throws corvo::Error on options out of range.
+  /// `threads` share the work of a frame; the map is adjusted by one more, beside the frames that
+  /// follow. Throws corvo::Error on options out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
 
   /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before; `mask`

@@ -78,7 +78,7 @@ struct RelocalizerOptions {
 struct KeyframeOptions {
   double max_tracked_share = 0.75;
   int num_neighbors = 10;
-  double min_parallax_deg = 1.15;
+  double min_parallax_deg = 0.6;
   int max_distance = 65;
   double min_found_share = 0.25;
   double max_redundant_share = 0.9;

@@ -8,6 +8,7 @@
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
+#include "vo/config.h"
 
 namespace corvo::test {
 namespace {
@@ -30,9 +31,11 @@ const char* const kCamera =
 
 const char* const kShippedCamera = CORVO_SOURCE_DIR "/configs/7scenes.yaml";
 
-const char* const kReproducibleFiles[] = {"trajectory.tum", "rotations.tum", "trajectory_euroc.csv",
-                                          "keyframes.tum",  "map.ply",       "frames.csv",
-                                          "summary.json",   "config.yaml",   "trajectory.png"};
+const char* const kReproducibleFiles[] = {
+    "trajectory.tum", "rotations.tum", "trajectory_euroc.csv",
+    "keyframes.tum",  "map.ply",       "frames.csv",
+    "summary.json",   "config.yaml",   "camera_estimated.yaml",
+    "trajectory.png"};
 
 int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
@@ -130,6 +133,9 @@ TEST_F(Run, AccountsForEveryFrame) {
   EXPECT_EQ(summary["outcome"], "never initialised");
   EXPECT_EQ(summary["layout"], "folder");
   EXPECT_EQ(summary["camera"]["fx"], 80.0);
+  EXPECT_EQ(summary["calibration"]["fx"]["given"], 80.0);
+  EXPECT_EQ(summary["calibration"]["k1"]["value"], 0.0) << "nothing was posed";
+  EXPECT_EQ(ReadCameraFile(result_ / "camera_estimated.yaml").camera.fx(), 80.0);
 }
 
 TEST_F(Run, WritesTheSameBytesWithAnyNumberOfThreads) {

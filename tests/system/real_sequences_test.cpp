@@ -59,17 +59,17 @@ void ExpectAccurate(const Trajectory& trajectory, const PoseSequence& truth, dou
 
 TEST(RealSequenceTest, Kitti03CountryRoad) {
   CORVO_REQUIRE_DATA("kitti/sequences/03");
-  ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 2.0, 0.99);
+  ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 0.45, 0.997);
 }
 
 TEST(RealSequenceTest, Kitti05SharpTurn) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
-  ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.30, 0.98);
+  ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
 }
 
 TEST(RealSequenceTest, Kitti06Straight) {
   CORVO_REQUIRE_DATA("kitti/sequences/06");
-  ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), ReadKittiTruth("06"), 0.10, 0.98);
+  ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), ReadKittiTruth("06"), 0.06, 0.98);
 }
 
 TEST(RealSequenceTest, SevenScenesHandHeld) {
@@ -77,7 +77,7 @@ TEST(RealSequenceTest, SevenScenesHandHeld) {
   const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "7scenes.yaml").camera;
   const Trajectory trajectory = RunOnFolder("7scenes/redkitchen", &camera, 5);
   const fs::path truth = test::DataPath("7scenes/redkitchen/groundtruth.txt");
-  ExpectAccurate(trajectory, ReadTum(truth), 0.06, 0.90);
+  ExpectAccurate(trajectory, ReadTum(truth), 0.045, 0.98);
 }
 
 TEST(RealSequenceTest, EurocShakenDrone) {
@@ -85,7 +85,7 @@ TEST(RealSequenceTest, EurocShakenDrone) {
   const Trajectory trajectory = RunOnFolder("euroc/MH_01_easy/mav0", nullptr, 12);
   const fs::path truth =
       test::DataPath("euroc/MH_01_easy/mav0/state_groundtruth_estimate0/data.csv");
-  ExpectAccurate(trajectory, ReadEurocTruth(truth), 0.03, 0.95);
+  ExpectAccurate(trajectory, ReadEurocTruth(truth), 0.008, 0.98);
 }
 
 TEST(RealSequenceTest, EurocStandingStillHasNoPose) {
@@ -123,7 +123,7 @@ TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
       Associate(rotations, ReadTum(test::DataPath(folder + "/groundtruth.txt")), 15'000'000);
   const double rmse_deg = RelativeErrorOverTime(pairs, 1'000'000'000).rotation_deg.rmse;
   ::testing::Test::RecordProperty("rotation_rmse_deg", std::to_string(rmse_deg));
-  EXPECT_LE(rmse_deg, 2.5);
+  EXPECT_LE(rmse_deg, 2.2);
 }
 
 }  // namespace
