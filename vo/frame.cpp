@@ -10,7 +10,13 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   Frame frame;
   frame.index = index;
   frame.time_ns = time_ns;
-  frame.rays.reserve(features.keypoints.size());
+  const std::size_t num_keypoints = features.keypoints.size();
+  frame.features.keypoints.reserve(num_keypoints);
+  frame.features.descriptors.reserve(num_keypoints);
+  frame.patches.reserve(patches.size());
+  frame.pixels.reserve(num_keypoints);
+  frame.rays.reserve(num_keypoints);
+  frame.is_aligned.reserve(num_keypoints);
   for (std::size_t i = 0; i < features.keypoints.size(); ++i) {
     const orb::Keypoint& keypoint = features.keypoints[i];
     const std::optional<Eigen::Vector2d> ray =

@@ -113,7 +113,7 @@ std::vector<FinishedLandmark> Map::ArchiveKeyframe(KeyframeId id) {
 
 void Map::DropPatches(KeyframeId id) {
   const auto found = keyframes_.find(id);
-  if (found != keyframes_.end()) found->second.frame.patches = {};
+  if (found != keyframes_.end()) std::vector<orb::Patch>().swap(found->second.frame.patches);
 }
 
 void Map::UpdateRays(const Camera& camera) {
