@@ -37,36 +37,6 @@ FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const Keypoi
   return free;
 }
 
-/// A keypoint of the first frame as the second camera has it.
-struct Query {
-  Eigen::Vector3d direction;  ///< Of its ray.
-  Eigen::Vector3d origin;     ///< Of the first camera.
-  double octave_scale;
-};
-
-/// Whether two rays may show one point: where they meet lies in front of both cameras, and the
-/// nearer camera sees it in the coarser octave. Rays within three sigmas of parallel meet anywhere.
-bool MayMeet(const Query& query, const FreeKeypoints& candidates, int candidate,
-             double octave_step) {
-  constexpr double kTolerance = 1.5;
-  constexpr double kParallelSigmas = 3;
-  const Eigen::Vector3d ray(candidates.x[candidate], candidates.y[candidate], 1);
-  const Eigen::Vector3d normal = query.direction.cross(ray);
-  const double squared_sine =
-      normal.squaredNorm() / (query.direction.squaredNorm() * ray.squaredNorm());
-  const double squared_sigma = candidates.max_squared_distances[candidate] / kChiSquare1Dof95;
-  double nearness = 1;  // Distance from the first camera over that from the second.
-  if (squared_sine > kParallelSigmas * kParallelSigmas * squared_sigma) {
-    const double first = -query.origin.cross(ray).dot(normal);
-    const double second = -query.origin.cross(query.direction).dot(normal);
-    if (first <= 0 || second <= 0) return false;
-    nearness = first * query.direction.norm() / (second * ray.norm());
-  }
-  const double by_octave = candidates.octave_scales[candidate] / query.octave_scale;
-  const double tolerance = kTolerance * octave_step;
-  return nearness < by_octave * tolerance && by_octave < nearness * tolerance;
-}
-
 /// Where a keypoint may lie: between the images of its ray's nearest and farthest point.
 struct Segment {
   Eigen::Vector2d near;
@@ -83,6 +53,36 @@ std::optional<Segment> ProjectRay(const Eigen::Vector2d& ray, const SE3& second_
   const double in_front = (kMinZ * min_depth - origin.z()) / direction.z();
   const Eigen::Vector3d nearest = std::max(min_depth, in_front) * direction + origin;
   return Segment{nearest.hnormalized(), direction.hnormalized()};
+}
+
+/// A keypoint of the first frame as the second camera has it.
+struct Query {
+  Eigen::Vector3d direction;  ///< Of its ray: where it is at depth 1 before the first camera ...
+  Eigen::Vector3d origin;     ///< ... less where the first camera is.
+  int axis;                   ///< Of the picture, along which its image runs.
+  double octave_scale;
+};
+
+/// Whether a query and a ray may show one point: where they meet lies in front of both cameras, and
+/// the nearer camera sees it in the coarser octave. Rays within three sigmas of parallel meet
+/// anywhere.
+bool MayMeet(const Query& query, const FreeKeypoints& candidates, int candidate,
+             double octave_step) {
+  constexpr double kTolerance = 1.5;
+  constexpr double kParallelSigmas = 3;
+  const double place = (query.axis == 0 ? candidates.x : candidates.y)[candidate];
+  const double slope = place * query.direction.z() - query.direction[query.axis];
+  const double squared_sigma = candidates.max_squared_distances[candidate] / kChiSquare1Dof95;
+  double nearness = 1;  // Depth before the first camera over that before the second.
+  if (slope * slope > kParallelSigmas * kParallelSigmas * squared_sigma) {
+    const double depth = (query.origin[query.axis] - place * query.origin.z()) / slope;
+    const double second_depth = depth * query.direction.z() + query.origin.z();
+    if (depth <= 0 || second_depth <= 0) return false;
+    nearness = depth / second_depth;
+  }
+  const double by_octave = candidates.octave_scales[candidate] / query.octave_scale;
+  const double tolerance = kTolerance * octave_step;
+  return nearness < by_octave * tolerance && by_octave < nearness * tolerance;
 }
 
 /// Finds the rays near a segment, by cells of a grid over all.
@@ -193,8 +193,10 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
     const auto segment = ProjectRay(ray, second_from_first, min_depth);
     if (!segment) continue;
     grid.Find(*segment, essential * ray.homogeneous(), margin, candidates);
+    const Eigen::Vector2d along = (segment->far - segment->near).cwiseAbs();
     const Query query{second_from_first.rotation() * ray.homogeneous(),
-                      second_from_first.translation(), free_first.octave_scales[i]};
+                      second_from_first.translation(), along.x() > along.y() ? 0 : 1,
+                      free_first.octave_scales[i]};
     std::erase_if(candidates, [&](int candidate) {
       return !MayMeet(query, free_second, candidate, octave_step);
     });
