@@ -52,6 +52,7 @@ std::optional<Segment> ProjectRay(const Eigen::Vector2d& ray, const SE3& second_
   if (direction.z() < kMinZ) return std::nullopt;
   const double in_front = (kMinZ * min_depth - origin.z()) / direction.z();
   const Eigen::Vector3d nearest = std::max(min_depth, in_front) * direction + origin;
+  if (!(nearest.z() > 0)) return std::nullopt;
   return Segment{nearest.hnormalized(), direction.hnormalized()};
 }
 
