@@ -78,7 +78,8 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
-  output.Write("camera_estimated.yaml", WriteCameraFile({record.odometry.camera(), {}, "estimated by corvo run"}));
+  output.Write("camera_estimated.yaml",
+               WriteCameraFile({record.odometry.camera(), {}, "estimated by corvo run"}));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
   const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);

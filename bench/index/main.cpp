@@ -54,12 +54,8 @@ void ReportIndices(const Collection& collection, const std::vector<orb::Descript
       "| built in, s |\n|---|---|---|---|---|---|---|---|---|\n");
   const orb::LshIndexOptions standard;
   const orb::LshIndexOptions variants[] = {
-      standard,
-      {.num_tables = 6},
-      {.num_tables = 10},
-      {.max_flips = 1},
-      {.recall = 0.9},
-      {.max_flips = 3, .recall = 0.99},
+      standard,         {.num_tables = 6}, {.num_tables = 10},
+      {.max_flips = 1}, {.recall = 0.9},   {.max_flips = 3, .recall = 0.99},
   };
   for (const orb::LshIndexOptions& options : variants) {
     const IndexResult result =
