@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -8,15 +9,30 @@
 
 namespace corvo {
 
-/// Each estimated number with the value given, its standard deviation and the share of its
-/// information that came from the pictures (the rest is what was known before); null where the
-/// camera is not estimated.
-nlohmann::ordered_json CalibrationJson(const Odometry& odometry);
+/// What became known of the camera.
+struct CalibrationReport {
+  /// One number of a camera.
+  struct Estimate {
+    const char* name;
+    double given;
+    double value;
+    double sigma;
+    double share_from_data;  ///< Of the information about it; the rest was known before.
+  };
 
-/// The same in a line; empty where the camera is not estimated.
-std::string CalibrationText(const Odometry& odometry);
+  std::vector<Estimate> estimates;  ///< Empty where the camera is not estimated.
+  bool contradicts_given = false;   ///< As Odometry::contradicts_given_camera().
+};
+
+CalibrationReport ReportCalibration(const Odometry& odometry);
+
+/// null where the camera is not estimated.
+nlohmann::ordered_json ToJson(const CalibrationReport& report);
+
+/// A line; empty where the camera is not estimated.
+std::string ToText(const CalibrationReport& report);
 
 /// Warns where the pictures contradict the camera that was given.
-void WarnOfContradiction(const Odometry& odometry);
+void WarnOfContradiction(const CalibrationReport& report);
 
 }  // namespace corvo

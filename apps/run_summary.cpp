@@ -127,9 +127,8 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = MeasureAndWarn(inputs, record.odometry);
-  WarnOfContradiction(record.odometry);
-  summary.calibration = CalibrationJson(record.odometry);
-  summary.calibration_text = CalibrationText(record.odometry);
+  summary.calibration = ReportCalibration(record.odometry);
+  WarnOfContradiction(summary.calibration);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);
@@ -149,7 +148,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   AddInputJson(arguments, json);
   json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
   json["camera"] = CameraJson(inputs.camera.parameters());
-  json["calibration"] = summary.calibration;
+  json["calibration"] = ToJson(summary.calibration);
   json["frames"] = summary.num_frames;
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
@@ -179,7 +178,7 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       ToString(summary.outcome), summary.num_frames, summary.num_posed,
       100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
       summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
-  text += ReasonsText(summary) + summary.calibration_text;
+  text += ReasonsText(summary) + ToText(summary.calibration);
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {
     text += ToText(fmt::format("{} rotations, 1 s", summary.num_rotations), *summary.rotation_deg,

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/calibration_report.h"
 #include "apps/outcome.h"
 #include "apps/run_inputs.h"
 #include "apps/run_record.h"
@@ -27,8 +28,7 @@ struct RunSummary {
   std::map<Reason, int> reasons;  ///< Of the frames that are not posed.
   std::string why_not_kitti;      ///< Why there is no trajectory.kitti; empty if there is.
   std::optional<MatchResiduals> residuals;
-  nlohmann::ordered_json calibration;    ///< As CalibrationJson().
-  std::string calibration_text;          ///< As CalibrationText().
+  CalibrationReport calibration;
   std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
   /// Of all rotations, over one second and in degrees; likewise.
   std::optional<ErrorStatistics> rotation_deg;

@@ -39,7 +39,10 @@ struct Neighbour {
   int distance = 257;  ///< Bits.
   int index = -1;
 
-  auto operator<=>(const Neighbour&) const = default;
+  bool operator==(const Neighbour&) const = default;
+  bool operator<(const Neighbour& other) const {
+    return distance != other.distance ? distance < other.distance : index < other.index;
+  }
 };
 
 /// Finds the descriptors that are nearest to a query among millions. Multi-probe locality-sensitive
