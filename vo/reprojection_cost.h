@@ -20,6 +20,7 @@ class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 3> {
  public:
   /// The camera must live as long as the cost.
   ReprojectionCost(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_px);
+  ReprojectionCost(Camera&&, const Eigen::Vector2d&, double) = delete;
 
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override;

@@ -10,6 +10,7 @@
 namespace corvo {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -107,14 +108,20 @@ TEST(BundleAdjusterTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanceS
   EXPECT_NEAR(map.WorldFromKeyframe(3).translation().norm(), distance, 1e-9);
 }
 
-TEST(BundleAdjusterTest, RemovesGrossErrorsAndNothingElse) {
+TEST(BundleAdjusterTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
   test::Random random(4);
   Path path = MakePath(5, 0.3, random);
   const int wrong = 7;
   path.views[4].frame.pixels[wrong].x() += 60;
   Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
-  ASSERT_NE(map.keyframe(4).frame.landmarks[wrong], kNoId);
-  EXPECT_THAT(AdjustAround(map, 4, 3).outliers, ElementsAre(Observation{4, wrong}));
+  const LandmarkId landmark = map.keyframe(4).frame.landmarks[wrong];
+  ASSERT_NE(landmark, kNoId);
+  const Map before = map;
+  const std::vector<Observation> outliers = AdjustAround(map, 4, 3).outliers;
+  EXPECT_THAT(outliers, Contains(Observation{4, wrong}));
+  for (const Observation& outlier : outliers) {  // The point that it pulls at, and no other.
+    EXPECT_EQ(before.keyframe(outlier.keyframe).frame.landmarks[outlier.keypoint], landmark);
+  }
   EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);
 }
 

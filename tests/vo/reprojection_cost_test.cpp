@@ -35,7 +35,8 @@ Evaluation Evaluate(const ReprojectionCost& cost, const SE3& pose, const Eigen::
 }
 
 TEST(ReprojectionCostTest, ResidualByHand) {
-  const ReprojectionCost cost(test::PinholeCamera(), {319.5 + 99, 239.5 - 50}, 2.0);
+  const Camera camera = test::PinholeCamera();
+  const ReprojectionCost cost(camera, {319.5 + 99, 239.5 - 50}, 2.0);
   const Evaluation evaluation = Evaluate(cost, SE3(), {1, -0.5, 5});
   EXPECT_THAT(evaluation.residual, test::IsMatrixNear(Eigen::Vector2d(0.5, 0), 1e-12));
 }
@@ -62,7 +63,8 @@ TEST(ReprojectionCostTest, JacobiansAreTheDerivatives) {
 }
 
 TEST(ReprojectionCostTest, FailsBehindTheCamera) {
-  const ReprojectionCost cost(test::PinholeCamera(), {0, 0}, 1.0);
+  const Camera camera = test::PinholeCamera();
+  const ReprojectionCost cost(camera, {0, 0}, 1.0);
   const SE3::Data pose = SE3().data();
   const Eigen::Vector3d behind(0, 0, -1);
   const double* parameters[] = {pose.data(), behind.data()};
