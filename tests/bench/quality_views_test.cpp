@@ -22,10 +22,13 @@ cv::Mat Blobs() {
   cv::Mat image(kSize, CV_8U, cv::Scalar(50));
   cv::RNG random(3);
   for (int i = 0; i < 12; ++i) {
-    cv::circle(image, {random.uniform(25, 76), random.uniform(25, 56)}, random.uniform(2, 6),
-               cv::Scalar(random.uniform(80, 255)), cv::FILLED);
+    const int x = random.uniform(25, 76);
+    const int y = random.uniform(25, 56);
+    const int radius = random.uniform(2, 6);
+    const int grey = random.uniform(80, 255);
+    cv::circle(image, {x, y}, radius, cv::Scalar(grey), cv::FILLED);
   }
-  cv::GaussianBlur(image, image, cv::Size(), 1.5);
+  cv::GaussianBlur(image, image, cv::Size(), 2.5);
   return image;
 }
 
