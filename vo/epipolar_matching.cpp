@@ -22,6 +22,13 @@ struct FreeKeypoints {
   std::vector<double> octave_scales;
 };
 
+template <typename T>
+void Reorder(const std::vector<int>& order, std::vector<T>& values) {
+  std::vector<T> reordered(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i) reordered[i] = values[order[i]];
+  values = std::move(reordered);
+}
+
 FreeKeypoints CollectFree(const Frame& frame, const Camera& camera, const KeypointNoise& noise) {
   FreeKeypoints free;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
@@ -89,15 +96,18 @@ bool MayMeet(const Query& query, const FreeKeypoints& candidates, int candidate,
 /// Finds the rays near a segment, by cells of a grid over all.
 class RayGrid {
  public:
-  RayGrid(const FreeKeypoints& points, double cell_size) : points_(points), size_(cell_size) {
-    const auto [left, right] = std::minmax_element(points.x.begin(), points.x.end());
-    const auto [top, bottom] = std::minmax_element(points.y.begin(), points.y.end());
-    if (points.x.empty()) return;
+  RayGrid(FreeKeypoints points, double cell_size) : points_(std::move(points)), size_(cell_size) {
+    if (points_.x.empty()) return;
+    const auto [left, right] = std::minmax_element(points_.x.begin(), points_.x.end());
+    const auto [top, bottom] = std::minmax_element(points_.y.begin(), points_.y.end());
     origin_ = {*left, *top};
     columns_ = static_cast<int>((*right - *left) / size_) + 1;
     rows_ = static_cast<int>((*bottom - *top) / size_) + 1;
     SortIntoCells();
   }
+
+  /// Cell by cell.
+  const FreeKeypoints& points() const { return points_; }
 
   /// Indices of the points near the line through the segment, in the cells within `margin` of it.
   void Find(const Segment& segment, const Eigen::Vector3d& line, double margin,
@@ -109,14 +119,8 @@ class RayGrid {
     const int last_row = CellOf(bottom + margin - origin_.y(), rows_);
     for (int row = CellOf(top - margin - origin_.y(), rows_); row <= last_row; ++row) {
       const auto [left, right] = ColumnsIn(row, segment, margin);
-      for (int i = starts_[row * columns_ + left]; i < starts_[row * columns_ + right + 1]; ++i) {
-        const int point = sorted_[i];
-        const double distance =
-            line.x() * points_.x[point] + line.y() * points_.y[point] + line.z();
-        if (distance * distance <= points_.max_squared_distances[point] * norm) {
-          found.push_back(point);
-        }
-      }
+      AppendNear(line, norm, starts_[row * columns_ + left], starts_[row * columns_ + right + 1],
+                 found);
     }
   }
 
@@ -135,8 +139,28 @@ class RayGrid {
     for (int i = 0; i < num_points; ++i) ++starts_[cell_of(i) + 1];
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     std::vector<int> next = starts_;
-    sorted_.resize(num_points);
-    for (int i = 0; i < num_points; ++i) sorted_[next[cell_of(i)]++] = i;
+    std::vector<int> order(num_points);
+    for (int i = 0; i < num_points; ++i) order[next[cell_of(i)]++] = i;
+    Reorder(order, points_.index);
+    Reorder(order, points_.descriptors);
+    Reorder(order, points_.x);
+    Reorder(order, points_.y);
+    Reorder(order, points_.max_squared_distances);
+    Reorder(order, points_.octave_scales);
+  }
+
+  /// Those of the points from `begin` to `end` that are near a line. `norm` is the squared length
+  /// of its normal.
+  void AppendNear(const Eigen::Vector3d& line, double norm, int begin, int end,
+                  std::vector<int>& found) const {
+    std::size_t count = found.size();
+    found.resize(count + end - begin);
+    for (int i = begin; i < end; ++i) {
+      const double distance = line.x() * points_.x[i] + line.y() * points_.y[i] + line.z();
+      found[count] = i;  // Stays if the point is near, and is written over otherwise.
+      count += distance * distance <= points_.max_squared_distances[i] * norm;
+    }
+    found.resize(count);
   }
 
   /// First and last column that the segment, `margin` wide, passes through in a row.
@@ -157,13 +181,12 @@ class RayGrid {
             CellOf(right + margin - origin_.x(), columns_)};
   }
 
-  const FreeKeypoints& points_;
+  FreeKeypoints points_;
   double size_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> starts_;  // Cell c holds sorted_[starts_[c]] to sorted_[starts_[c + 1] - 1].
-  std::vector<int> sorted_;
+  std::vector<int> starts_;  // Cell c holds points starts_[c] to starts_[c + 1] - 1.
 };
 
 double LargestMargin(const FreeKeypoints& points) {
@@ -183,9 +206,9 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
   const Eigen::Matrix3d essential =
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
   const FreeKeypoints free_first = CollectFree(first, camera, noise);
-  const FreeKeypoints free_second = CollectFree(second, camera, noise);
   const double octave_step = noise.octave_scales.size() > 1 ? noise.octave_scales[1] : 1;
-  const RayGrid grid(free_second, kCellPx / camera.focal());
+  const RayGrid grid(CollectFree(second, camera, noise), kCellPx / camera.focal());
+  const FreeKeypoints& free_second = grid.points();
   const double margin = LargestMargin(free_second);
   std::vector<orb::Match> matches;
   std::vector<int> candidates;

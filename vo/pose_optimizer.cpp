@@ -3,23 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-
 #include "vo/chi_square.h"
+#include "vo/levenberg_marquardt.h"
 #include "vo/lie/so3.h"
 
 namespace corvo {
 namespace {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
-/// Normal equations of the weighted reprojection errors at one pose.
-struct NormalEquations {
-  Matrix6d hessian = Matrix6d::Zero();
-  Vector6d gradient = Vector6d::Zero();
-  double cost = 0;
-};
 
 /// Huber's loss of a squared error, and its derivative (the weight).
 struct Loss {
@@ -36,7 +25,7 @@ Loss EvaluateLoss(double squared_error, bool robust) {
 
 /// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
 void Accumulate(const PointObservation& observation, const SE3& camera_from_world,
-                const Camera& camera, bool robust, NormalEquations& equations) {
+                const Camera& camera, bool robust, NormalEquations<6>& equations) {
   const Eigen::Vector3d in_camera = camera_from_world * observation.in_world;
   Camera::Jacobian pixel_by_point;
   const std::optional<Eigen::Vector2d> projected = camera.Project(in_camera, &pixel_by_point);
@@ -55,43 +44,22 @@ void Accumulate(const PointObservation& observation, const SE3& camera_from_worl
   equations.gradient += loss.weight * information * jacobian.transpose() * residual;
 }
 
-NormalEquations BuildNormalEquations(const SE3& world_from_camera,
-                                     const std::vector<PointObservation>& observations,
-                                     const std::vector<char>& use, const Camera& camera,
-                                     bool robust) {
-  NormalEquations equations;
-  const SE3 camera_from_world = world_from_camera.Inverse();
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    if (use[i]) Accumulate(observations[i], camera_from_world, camera, robust, equations);
-  }
-  return equations;
-}
-
-/// Levenberg-Marquardt over the observations in use.
-SE3 Minimize(SE3 pose, const std::vector<PointObservation>& observations,
+/// Over the observations in use.
+SE3 Minimize(const SE3& pose, const std::vector<PointObservation>& observations,
              const std::vector<char>& use, const Camera& camera, bool robust) {
   constexpr int kMaxIterations = 10;
-  double damping = 1e-4;
-  NormalEquations now = BuildNormalEquations(pose, observations, use, camera, robust);
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    Matrix6d damped = now.hessian;
-    damped.diagonal() += damping * now.hessian.diagonal() + Vector6d::Constant(1e-9);
-    const Vector6d step = -damped.ldlt().solve(now.gradient);
-    if (!step.allFinite()) break;
-    const SE3 candidate = pose * SE3::Exp(step);
-    const NormalEquations next = BuildNormalEquations(candidate, observations, use, camera, robust);
-    if (next.cost < now.cost) {
-      const bool converged = now.cost - next.cost < 1e-6 * now.cost;
-      pose = candidate;
-      now = next;
-      damping *= 0.1;
-      if (converged) break;
-    } else {
-      damping *= 10;
-      if (damping > 1e6) break;
+  const auto build = [&](const SE3& world_from_camera) {
+    NormalEquations<6> equations;
+    const SE3 camera_from_world = world_from_camera.Inverse();
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      if (use[i]) Accumulate(observations[i], camera_from_world, camera, robust, equations);
     }
-  }
-  return pose;
+    return equations;
+  };
+  const auto plus = [](const SE3& at, const Eigen::Matrix<double, 6, 1>& step) {
+    return at * SE3::Exp(step);
+  };
+  return MinimizeLevenbergMarquardt<6>(pose, build, plus, kMaxIterations).state;
 }
 
 }  // namespace

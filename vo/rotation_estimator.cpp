@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <limits>
 
-#include <ceres/ceres.h>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "vo/levenberg_marquardt.h"
 #include "vo/median.h"
 
 namespace corvo {
@@ -28,72 +28,78 @@ SO3 AlignRays(const std::vector<RayMatch>& matches, const std::vector<double>& w
   return SO3(Eigen::Matrix3d(svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose()));
 }
 
-/// Signed Sampson distance of one match from the motion, in units of its sigma.
-struct SampsonError {
-  RayMatch match;
-
-  template <typename T>
-  bool operator()(const T* quaternion, const T* direction, T* residual) const {
-    using Vector = Eigen::Matrix<T, 3, 1>;
-    const Eigen::Map<const Eigen::Quaternion<T>> second_from_first(quaternion);
-    const Eigen::Map<const Vector> baseline(direction);
-    const Vector first = match.first.homogeneous().cast<T>();
-    const Vector second = match.second.homogeneous().cast<T>();
-    const Vector line_in_second = baseline.cross(second_from_first * first);
-    const Vector line_in_first = second_from_first.conjugate() * second.cross(baseline);
-    const T squared = line_in_second.template head<2>().squaredNorm() +
-                      line_in_first.template head<2>().squaredNorm();
-    constexpr double kNoBaseline = 1e-12;  // A ray along the baseline has no lines.
-    residual[0] = second.dot(line_in_second) / (sqrt(squared + kNoBaseline) * match.sigma);
-    return true;
-  }
-};
-
-/// Angle between a rotation and an expected one, per axis, in units of its sigma.
-struct RotationPrior {
-  Eigen::Quaterniond expected;
-  double sigma;
-
-  template <typename T>
-  bool operator()(const T* quaternion, T* residual) const {
-    const Eigen::Map<const Eigen::Quaternion<T>> rotation(quaternion);
-    const Eigen::Quaternion<T> apart = rotation * expected.conjugate().cast<T>();
-    Eigen::Map<Eigen::Matrix<T, 3, 1>>{residual} = 2.0 / sigma * apart.w() * apart.vec();
-    return true;
-  }
-};
-
-struct EpipolarFit {
+/// A motion but for its length.
+struct EpipolarMotion {
   SO3 second_from_first;
-  double cost = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d baseline;  ///< The first camera in the second's frame, a unit vector.
 };
+
+/// Two unit vectors at right angles to a unit vector and to each other.
+Eigen::Matrix<double, 3, 2> TangentBasis(const Eigen::Vector3d& unit) {
+  const Eigen::Vector3d first = unit.unitOrthogonal();
+  Eigen::Matrix<double, 3, 2> basis;
+  basis << first, unit.cross(first);
+  return basis;
+}
+
+/// R ← Exp(ω) R, b ← b + B τ, normalised, with a step of ω and τ.
+EpipolarMotion Plus(const EpipolarMotion& motion, const Eigen::Matrix<double, 5, 1>& step) {
+  return {SO3::Exp(step.head<3>()) * motion.second_from_first,
+          (motion.baseline + TangentBasis(motion.baseline) * step.tail<2>()).normalized()};
+}
+
+/// Adds the squared Sampson distance e² = (s · (b × Rf))² / n² of one match, n² the squared norms
+/// of its two epipolar lines' normals, in units of its sigma, under Cauchy's loss log(1 + e²).
+void Accumulate(const RayMatch& match, const EpipolarMotion& motion,
+                const Eigen::Matrix<double, 3, 2>& basis, NormalEquations<5>& equations) {
+  constexpr double kNoBaseline = 1e-12;  // A ray along the baseline has no lines.
+  const SO3& rotation = motion.second_from_first;
+  const Eigen::Vector3d& baseline = motion.baseline;
+  const Eigen::Vector3d first = rotation * match.first.homogeneous();
+  const Eigen::Vector3d second = match.second.homogeneous();
+  const Eigen::Vector3d plane = second.cross(baseline);
+  Eigen::Vector3d in_second = baseline.cross(first);
+  Eigen::Vector3d in_first = rotation.Inverse() * plane;
+  const double product = second.dot(in_second);
+  in_second.z() = 0;
+  in_first.z() = 0;
+  const double norm = std::sqrt(in_second.squaredNorm() + in_first.squaredNorm() + kNoBaseline);
+  const double error = product / (norm * match.sigma);
+  const Eigen::Vector3d turned = rotation * in_first;
+  const Eigen::Vector3d product_by_rotation = first.cross(plane);
+  const Eigen::Vector3d product_by_baseline = first.cross(second);
+  const Eigen::Vector3d norm_by_rotation =
+      (first.cross(in_second.cross(baseline)) + turned.cross(plane)) / norm;
+  const Eigen::Vector3d norm_by_baseline = (first.cross(in_second) + turned.cross(second)) / norm;
+  const double ratio = product / norm;
+  Eigen::Matrix<double, 5, 1> by_step;
+  by_step << product_by_rotation - ratio * norm_by_rotation,
+      basis.transpose() * (product_by_baseline - ratio * norm_by_baseline);
+  by_step /= norm * match.sigma;
+  const double weight = 1 / (1 + error * error);
+  equations.cost += std::log1p(error * error);
+  equations.hessian += weight * by_step * by_step.transpose();
+  equations.gradient += weight * error * by_step;
+}
 
 /// Least robust Sampson error near a rotation, known to `rotation_sigma`, and a direction of the
 /// baseline.
-EpipolarFit FitEpipolar(const std::vector<RayMatch>& matches, const SO3& initial_rotation,
-                        double rotation_sigma, Eigen::Vector3d direction) {
-  Eigen::Quaterniond rotation = initial_rotation.quaternion();
-  ceres::Problem problem;
-  problem.AddParameterBlock(rotation.coeffs().data(), 4, new ceres::EigenQuaternionManifold);
-  problem.AddParameterBlock(direction.data(), 3, new ceres::SphereManifold<3>);
-  for (const RayMatch& match : matches) {
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<SampsonError, 1, 4, 3>(new SampsonError{match}),
-        new ceres::CauchyLoss(1), rotation.coeffs().data(), direction.data());
-  }
-  const RotationPrior prior{initial_rotation.quaternion(), rotation_sigma};
-  problem.AddResidualBlock(
-      new ceres::AutoDiffCostFunction<RotationPrior, 3, 4>(new RotationPrior(prior)), nullptr,
-      rotation.coeffs().data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 20;
-  options.num_threads = 1;
-  options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  if (!summary.IsSolutionUsable()) return {};
-  return {SO3(rotation), summary.final_cost};
+Minimum<EpipolarMotion> FitEpipolar(const std::vector<RayMatch>& matches, const SO3& expected,
+                                    double rotation_sigma, const Eigen::Vector3d& direction) {
+  constexpr int kMaxIterations = 20;
+  const auto build = [&](const EpipolarMotion& motion) {
+    NormalEquations<5> equations;
+    const Eigen::Matrix<double, 3, 2> basis = TangentBasis(motion.baseline);
+    for (const RayMatch& match : matches) Accumulate(match, motion, basis, equations);
+    const Eigen::Vector3d apart = (motion.second_from_first * expected.Inverse()).Log();
+    const double information = 1 / (rotation_sigma * rotation_sigma);
+    equations.cost += information * apart.squaredNorm();
+    equations.hessian.topLeftCorner<3, 3>().diagonal().array() += information;
+    equations.gradient.head<3>() += information * apart;
+    return equations;
+  };
+  return MinimizeLevenbergMarquardt<5>(EpipolarMotion{expected, direction}, build, Plus,
+                                       kMaxIterations);
 }
 
 }  // namespace
@@ -130,13 +136,13 @@ SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_
   constexpr double kCommonParallax = 4;
   const double sigma =
       std::max(kCommonParallax * Median(ComputeParallax(matches, second_from_first)), 1e-9);
-  EpipolarFit best{second_from_first};
+  Minimum<EpipolarMotion> best{{second_from_first, {}}, std::numeric_limits<double>::infinity()};
   for (int axis = 0; axis < 3; ++axis) {
-    const EpipolarFit fit =
+    const Minimum<EpipolarMotion> fit =
         FitEpipolar(matches, second_from_first, sigma, Eigen::Vector3d::Unit(axis));
     if (fit.cost < best.cost) best = fit;
   }
-  return best.second_from_first;
+  return best.state.second_from_first;
 }
 
 }  // namespace corvo

@@ -1,7 +1,5 @@
 #include "bench/odometry/cost.h"
 
-#include <numeric>
-
 #include <opencv2/core/utility.hpp>
 #include <opencv2/features2d.hpp>
 
@@ -13,11 +11,7 @@
 namespace corvo::bench {
 namespace {
 
-double Mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double TimeOf(const auto& task) {
+double ProcessorMsOf(const auto& task) {
   const double start = ProcessTimeMs();
   task();
   return ProcessTimeMs() - start;
@@ -37,24 +31,32 @@ Cost MeasureCost(const Recording& recording, const OdometryOptions& options, int
   for (int i = 0; i < recording.size(); ++i) pictures.push_back(recording.picture(i));
   const int keypoints = NumKeypoints(recording, options);
   const cv::Ptr<cv::ORB> orb = cv::ORB::create(keypoints);
-  LeastTimes odometry_times(recording.size()), orb_times(recording.size());
+  LeastTimes process_times(recording.size()), totals(2);
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    Odometry odometry(recording.camera, options);
-    for (int i = 0; i < recording.size(); ++i) {
-      odometry_times.Add(i, TimeOf([&] { odometry.Process(pictures[i], recording.times[i]); }));
-      orb_times.Add(i, TimeOf([&] {
-                      std::vector<cv::KeyPoint> points;
-                      cv::Mat descriptors;
-                      orb->detectAndCompute(pictures[i], cv::noArray(), points, descriptors);
-                    }));
-    }
+    totals.Add(0, ProcessorMsOf([&] {
+                 Odometry odometry(recording.camera, options);
+                 for (int i = 0; i < recording.size(); ++i) {
+                   const double start = WallTimeMs();
+                   odometry.Process(pictures[i], recording.times[i]);
+                   process_times.Add(i, WallTimeMs() - start);
+                 }
+                 odometry.Finish();
+               }));
+    totals.Add(1, ProcessorMsOf([&] {
+                 for (const cv::Mat& picture : pictures) {
+                   std::vector<cv::KeyPoint> points;
+                   cv::Mat descriptors;
+                   orb->detectAndCompute(picture, cv::noArray(), points, descriptors);
+                 }
+               }));
   }
   Cost cost;
   cost.keypoints = keypoints;
-  cost.odometry_ms = Mean(odometry_times.ms());
-  cost.orb_ms = Mean(orb_times.ms());
+  cost.odometry_ms = totals.ms()[0] / recording.size();
+  cost.orb_ms = totals.ms()[1] / recording.size();
   cost.ratio = cost.odometry_ms / cost.orb_ms;
-  cost.p99_over_median = Percentile(odometry_times.ms(), 99) / Percentile(odometry_times.ms(), 50);
+  cost.median_ms = Percentile(process_times.ms(), 50);
+  cost.p99_ms = Percentile(process_times.ms(), 99);
   return cost;
 }
 

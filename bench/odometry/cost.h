@@ -5,17 +5,20 @@
 
 namespace corvo::bench {
 
-/// Processor time of Odometry::Process, all its threads, against cv::ORB's detect-and-compute with
-/// as many keypoints on the same pictures, one after the other.
+/// Processor time of Odometry, all its threads, against cv::ORB's detect-and-compute with as many
+/// keypoints on the same pictures; and how long the caller of Process waits, frame after frame
+/// without a pause.
 struct Cost {
   int keypoints = 0;
-  double odometry_ms = 0;      ///< A frame, mean of the frames' least.
-  double orb_ms = 0;           ///< The same.
-  double ratio = 0;            ///< Of the two.
-  double p99_over_median = 0;  ///< Of Process, over frames.
+  double odometry_ms = 0;  ///< Processor time a frame; mean over the sequence.
+  double orb_ms = 0;       ///< The same.
+  double ratio = 0;        ///< Of the two.
+  double median_ms = 0;    ///< Time of a call of Process, over frames.
+  double p99_ms = 0;       ///< The same.
 };
 
-/// Each picture's least time of `repeats` runs counts. Pictures are decoded beforehand.
+/// Both take turns, sequence by sequence. The least of `repeats` runs counts, of each frame where
+/// they are told apart. Pictures are decoded beforehand.
 Cost MeasureCost(const Recording& recording, const OdometryOptions& options, int repeats);
 
 }  // namespace corvo::bench
