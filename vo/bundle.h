@@ -52,7 +52,11 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const Keypoint
 void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle);
 
 /// Gives the map the poses and positions of a bundle and removes the observations that are
-/// outliers, which it returns. The map must still have all that was copied.
+/// outliers, which it returns. Keyframes and landmarks that have left meanwhile stay as they are.
+/// What the bundle leaves out goes along: newer keyframes of its segment with its newest view that
+/// is not held, a landmark with the newest such view that sees it or, if only newer keyframes do,
+/// with the newest of all. A view takes along by the similarity of its own move and the median
+/// ratio of the depths that it sees.
 std::vector<Observation> WriteBack(const Bundle& bundle, Map& map);
 
 }  // namespace corvo

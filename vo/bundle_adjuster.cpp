@@ -8,18 +8,21 @@
 
 #include "vo/bundle_problem.h"
 #include "vo/chi_square.h"
+#include "vo/point_adjuster.h"
+#include "vo/point_selection.h"
 #include "vo/reprojection_cost.h"
 
 namespace corvo {
 namespace {
 
-ceres::Solver::Summary Solve(const Camera& camera, int max_iterations, Bundle& bundle) {
+ceres::Solver::Summary Solve(const Camera& camera, int max_iterations,
+                             const std::vector<char>& is_selected, Bundle& bundle) {
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
-    if (!sighting.is_inlier) continue;
+    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
     problem.AddResidualBlock(new ReprojectionCost(camera, sighting.pixel, sighting.sigma_px),
                              &huber, bundle.views[sighting.view].local_from_camera.data(),
                              bundle.points[sighting.point].in_local.data());
@@ -77,11 +80,13 @@ AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions&
   constexpr double kProjects = 1e12;
   const Bundle before = bundle;
   MarkOutliers(camera, kProjects, bundle);
-  const ceres::Solver::Summary summary = Solve(camera, options.max_iterations, bundle);
+  const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
+  const ceres::Solver::Summary summary = Solve(camera, options.max_iterations, is_selected, bundle);
   if (!summary.IsSolutionUsable()) {
     bundle = before;
     return {};
   }
+  AdjustPoints(camera, is_selected, bundle);
   MarkOutliers(camera, kChiSquare2Dof95, bundle);
   return {true, summary.initial_cost, summary.final_cost};
 }

@@ -13,6 +13,8 @@
 #include "orb/error.h"
 #include "vo/bundle_problem.h"
 #include "vo/chi_square.h"
+#include "vo/point_adjuster.h"
+#include "vo/point_selection.h"
 #include "vo/reprojection_cost.h"
 
 namespace corvo {
@@ -78,8 +80,8 @@ ceres::CostFunction* MakePrior(const Eigen::Vector3d& sigmas) {
                                 Eigen::Vector3d::Zero());
 }
 
-bool Solve(const CameraParameters& given, const CalibrationOptions& options, Bundle& bundle,
-           Calibration& calibration) {
+bool Solve(const CameraParameters& given, const CalibrationOptions& options,
+           const std::vector<char>& is_selected, Bundle& bundle, Calibration& calibration) {
   CameraUnderAdjustment adjusted(given, calibration);
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -87,7 +89,7 @@ bool Solve(const CameraParameters& given, const CalibrationOptions& options, Bun
   ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
-    if (!sighting.is_inlier) continue;
+    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
     problem.AddResidualBlock(new CalibrationCost(adjusted, sighting), &huber,
                              bundle.views[sighting.view].local_from_camera.data(),
                              bundle.points[sighting.point].in_local.data(), calibration.data());
@@ -185,8 +187,9 @@ class ReducedInformation {
   Eigen::MatrixXd matrix_;
 };
 
+/// From the selected points.
 Eigen::Matrix3d ComputeCovariance(const Camera& camera, const Eigen::Vector3d& prior_sigmas,
-                                  const Bundle& bundle) {
+                                  const std::vector<char>& is_selected, const Bundle& bundle) {
   std::vector<SE3> camera_from_local;
   for (const Bundle::View& view : bundle.views) camera_from_local.push_back(view.Pose().Inverse());
   ReducedInformation information(static_cast<int>(bundle.views.size()));
@@ -199,7 +202,7 @@ Eigen::Matrix3d ComputeCovariance(const Camera& camera, const Eigen::Vector3d& p
     const bool is_last =
         i + 1 == bundle.sightings.size() || bundle.sightings[i + 1].point != sighting.point;
     if (!is_last) continue;
-    if (of_point.size() > 1) information.AddPoint(of_point);
+    if (of_point.size() > 1 && is_selected[sighting.point]) information.AddPoint(of_point);
     of_point.clear();
   }
   return information.CalibrationCovariance(prior_sigmas, bundle.views);
@@ -216,13 +219,15 @@ std::optional<CalibrationEstimate> CalibrateBundle(const CameraParameters& given
   CalibrationEstimate estimate;
   estimate.calibration = start;
   MarkOutliers(Camera(ApplyCalibration(given, start)), kProjects, bundle);
-  if (!Solve(given, options, bundle, estimate.calibration)) {
+  const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
+  if (!Solve(given, options, is_selected, bundle, estimate.calibration)) {
     bundle = before;
     return std::nullopt;
   }
   const Camera camera(ApplyCalibration(given, estimate.calibration));
+  AdjustPoints(camera, is_selected, bundle);
   MarkOutliers(camera, kChiSquare2Dof95, bundle);
-  estimate.covariance = ComputeCovariance(camera, PriorSigmas(options), bundle);
+  estimate.covariance = ComputeCovariance(camera, PriorSigmas(options), is_selected, bundle);
   return estimate;
 }
 

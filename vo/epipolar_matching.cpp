@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "vo/chi_square.h"
@@ -96,7 +97,8 @@ bool MayMeet(const Query& query, const FreeKeypoints& candidates, int candidate,
 /// Finds the rays near a segment, by cells of a grid over all.
 class RayGrid {
  public:
-  RayGrid(FreeKeypoints points, double cell_size) : points_(std::move(points)), size_(cell_size) {
+  RayGrid(FreeKeypoints points, double cell_size)
+      : points_(std::move(points)), size_(cell_size), cells_per_unit_(1 / cell_size) {
     if (points_.x.empty()) return;
     const auto [left, right] = std::minmax_element(points_.x.begin(), points_.x.end());
     const auto [top, bottom] = std::minmax_element(points_.y.begin(), points_.y.end());
@@ -110,23 +112,36 @@ class RayGrid {
   const FreeKeypoints& points() const { return points_; }
 
   /// Indices of the points near the line through the segment, in the cells within `margin` of it.
-  void Find(const Segment& segment, const Eigen::Vector3d& line, double margin,
-            std::vector<int>& found) const {
-    found.clear();
-    const auto [top, bottom] = std::minmax({segment.near.y(), segment.far.y()});
-    if (columns_ == 0) return;
+  /// They stand in `buffer`, with room for all points.
+  std::span<int> Find(const Segment& segment, const Eigen::Vector3d& line, double margin,
+                      std::vector<int>& buffer) const {
+    if (columns_ == 0) return {};
     const double norm = line.head<2>().squaredNorm();
+    const double top = std::min(segment.near.y(), segment.far.y());
+    const double bottom = std::max(segment.near.y(), segment.far.y());
+    const Eigen::Vector2d along = segment.far - segment.near;
+    const bool is_level = std::abs(along.y()) < 1e-12;
+    const double slope = is_level ? 0 : along.x() / along.y();
     const int last_row = CellOf(bottom + margin - origin_.y(), rows_);
+    const auto x_at = [&](double y) {
+      return segment.near.x() + slope * (std::clamp(y, top, bottom) - segment.near.y());
+    };
+    int count = 0;
     for (int row = CellOf(top - margin - origin_.y(), rows_); row <= last_row; ++row) {
-      const auto [left, right] = ColumnsIn(row, segment, margin);
-      AppendNear(line, norm, starts_[row * columns_ + left], starts_[row * columns_ + right + 1],
-                 found);
+      const double row_top = origin_.y() + row * size_;
+      const double x = x_at(row_top - margin);
+      const double other_x = is_level ? segment.far.x() : x_at(row_top + size_ + margin);
+      const int left = CellOf(std::min(x, other_x) - margin - origin_.x(), columns_);
+      const int right = CellOf(std::max(x, other_x) + margin - origin_.x(), columns_);
+      count = AppendNear(line, norm, starts_[row * columns_ + left],
+                         starts_[row * columns_ + right + 1], buffer, count);
     }
+    return std::span<int>(buffer).first(count);
   }
 
  private:
   int CellOf(double offset, int count) const {
-    return static_cast<int>(std::clamp(offset / size_, 0.0, count - 1.0));
+    return static_cast<int>(std::clamp(offset * cells_per_unit_, 0.0, count - 1.0));
   }
 
   void SortIntoCells() {
@@ -149,40 +164,22 @@ class RayGrid {
     Reorder(order, points_.octave_scales);
   }
 
-  /// Those of the points from `begin` to `end` that are near a line. `norm` is the squared length
-  /// of its normal.
-  void AppendNear(const Eigen::Vector3d& line, double norm, int begin, int end,
-                  std::vector<int>& found) const {
-    std::size_t count = found.size();
-    found.resize(count + end - begin);
+  /// Writes those of the points from `begin` to `end` that are near a line behind the first `count`
+  /// of a buffer, and returns the count with them. `norm` is the squared length of the line's
+  /// normal.
+  int AppendNear(const Eigen::Vector3d& line, double norm, int begin, int end,
+                 std::vector<int>& buffer, int count) const {
     for (int i = begin; i < end; ++i) {
       const double distance = line.x() * points_.x[i] + line.y() * points_.y[i] + line.z();
-      found[count] = i;  // Stays if the point is near, and is written over otherwise.
+      buffer[count] = i;  // Stays if the point is near, and is written over otherwise.
       count += distance * distance <= points_.max_squared_distances[i] * norm;
     }
-    found.resize(count);
-  }
-
-  /// First and last column that the segment, `margin` wide, passes through in a row.
-  std::pair<int, int> ColumnsIn(int row, const Segment& segment, double margin) const {
-    const double top = origin_.y() + row * size_ - margin;
-    const double bottom = top + size_ + 2 * margin;
-    const Eigen::Vector2d along = segment.far - segment.near;
-    double from = 0, to = 1;
-    if (std::abs(along.y()) > 1e-12) {
-      const auto [enter, leave] = std::minmax(
-          {(top - segment.near.y()) / along.y(), (bottom - segment.near.y()) / along.y()});
-      from = std::clamp(enter, 0.0, 1.0);
-      to = std::clamp(leave, 0.0, 1.0);
-    }
-    const auto [left, right] =
-        std::minmax({segment.near.x() + from * along.x(), segment.near.x() + to * along.x()});
-    return {CellOf(left - margin - origin_.x(), columns_),
-            CellOf(right + margin - origin_.x(), columns_)};
+    return count;
   }
 
   FreeKeypoints points_;
   double size_;
+  double cells_per_unit_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int columns_ = 0;
   int rows_ = 0;
@@ -211,21 +208,21 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
   const FreeKeypoints& free_second = grid.points();
   const double margin = LargestMargin(free_second);
   std::vector<orb::Match> matches;
-  std::vector<int> candidates;
+  std::vector<int> buffer(free_second.index.size() + 1);  // What is written over last, too.
   for (std::size_t i = 0; i < free_first.index.size(); ++i) {
     const Eigen::Vector2d ray(free_first.x[i], free_first.y[i]);
     const auto segment = ProjectRay(ray, second_from_first, min_depth);
     if (!segment) continue;
-    grid.Find(*segment, essential * ray.homogeneous(), margin, candidates);
     const Eigen::Vector2d along = (segment->far - segment->near).cwiseAbs();
     const Query query{second_from_first.rotation() * ray.homogeneous(),
                       second_from_first.translation(), along.x() > along.y() ? 0 : 1,
                       free_first.octave_scales[i]};
-    std::erase_if(candidates, [&](int candidate) {
+    const std::span<int> near = grid.Find(*segment, essential * ray.homogeneous(), margin, buffer);
+    const auto last = std::remove_if(near.begin(), near.end(), [&](int candidate) {
       return !MayMeet(query, free_second, candidate, octave_step);
     });
-    const orb::Nearest nearest =
-        orb::FindNearestAmong(free_first.descriptors[i], free_second.descriptors, candidates);
+    const orb::Nearest nearest = orb::FindNearestAmong(
+        free_first.descriptors[i], free_second.descriptors, {near.begin(), last});
     if (nearest.index < 0 || nearest.distance > max_distance) continue;
     if (nearest.distance > kMaxRatio * nearest.second_distance) continue;
     matches.push_back({free_first.index[i], free_second.index[nearest.index], nearest.distance});

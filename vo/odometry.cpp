@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "orb/error.h"
-#include "vo/bundle_adjuster.h"
-#include "vo/bundle_calibrator.h"
 #include "vo/culling.h"
 #include "vo/keyframe_policy.h"
 #include "vo/landmark_alignment.h"
-#include "vo/landmark_creation.h"
-#include "vo/landmark_fusion.h"
 #include "vo/relocalizer.h"
 
 namespace corvo {
@@ -56,31 +53,23 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
   return count;
 }
 
-/// Kept keyframes of a segment.
-int CountKept(const Map& map, int segment) {
-  const std::vector<KeyframeId> kept = map.KeptKeyframes();
-  return static_cast<int>(std::count_if(
-      kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
-}
-
 }  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
-    : given_camera_(camera.parameters()),
-      camera_(camera),
+    : camera_(camera),
       options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
       noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
              extractor_.octave_scales()},
       initializer_(options.initializer, noise_, camera),
-      calibration_(PriorEstimate(options.calibration)) {}
+      adjuster_(camera.parameters(), options) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
   times_ = StageTimes();
   Frame frame = ExtractFrame(image, time_ns, mask);
-  if (IsAdjustmentDue(frame)) FinishAdjustment();
+  ContinueMapping(frame.index);
   const TrackingResult tracking = Track(frame);
   if (tracking.reason != Reason::kNone) return Initialize(std::move(frame), tracking);
   if (NeedsKeyframe(frame)) ExtendMap(frame);
@@ -89,7 +78,7 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 
 void Odometry::Reset() {
   LandmarkSink sink = std::move(landmark_sink_);
-  *this = Odometry(Camera(given_camera_), options_, threads_);
+  *this = Odometry(Camera(given_camera()), options_, threads_);
   landmark_sink_ = std::move(sink);
 }
 
@@ -159,29 +148,38 @@ bool Odometry::NeedsKeyframe(const Frame& frame) const {
 }
 
 void Odometry::ExtendMap(Frame& frame) {
-  FinishAdjustmentUnder(frame);
+  const StageTimer timer(times_.map_ms);
   const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
-  AddLandmarksAround(keyframe);
-  StartAdjustment(keyframe);
+  landmark_builder_.Start(map_, keyframe, camera_, noise_, options_.keyframes);
   frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
   records_.SetPose(frame.index, keyframe, SE3());
   records_.outcome(frame.index).is_keyframe = true;
 }
 
-void Odometry::AddLandmarksAround(KeyframeId keyframe) {
-  constexpr int kAlignedKeyframes = 30;  // Newest, in which landmarks are still aligned.
+void Odometry::ContinueMapping(int frame) {
+  TakeAdjustments(frame);
   const StageTimer timer(times_.map_ms);
-  for (const LandmarkId id : map_.keyframe(keyframe).frame.landmarks) {
-    if (id != kNoId) map_.UpdateAppearance(id, noise_.octave_scales);
+  if (!has_map()) return;
+  landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+  adjuster_.Start(map_, noise_, frame);
+}
+
+void Odometry::FinishMapping() {
+  landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+  TakeAdjustments(std::numeric_limits<int>::max());
+}
+
+void Odometry::TakeAdjustments(int frame) {
+  const StageTimer timer(times_.adjust_ms);
+  if (!adjuster_.Finish(map_, frame)) return;
+  camera_ = adjuster_.camera();
+  initializer_.SetCamera(camera_);
+  UpdateRays(camera_, previous_);
+  CullKeyframes(map_, map_.num_keyframes() - 1, options_.keyframes);
+  ArchiveKeyframes();
+  if (records_.IsPosed(previous_.index)) {
+    previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
   }
-  CullLandmarks(map_, options_.keyframes, recent_landmarks_);
-  const LandmarkId first_new = map_.num_landmark_ids();
-  CreateLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
-  for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
-    recent_landmarks_.push_back(id);
-  }
-  FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
-  map_.DropPatches(keyframe - kAlignedKeyframes);
 }
 
 void Odometry::ArchiveKeyframes() {
@@ -191,87 +189,10 @@ void Odometry::ArchiveKeyframes() {
   }
 }
 
-void Odometry::StartAdjustment(KeyframeId newest) {
-  const StageTimer timer(times_.adjust_ms);
-  const bool calibrates = IsCalibrationDue();
-  const AdjustmentWindow window =
-      calibrates ? SelectNewestKeyframes(map_, newest, options_.calibration.max_keyframes,
-                                         options_.bundle_adjuster)
-                 : SelectWindow(map_, newest, options_.bundle_adjuster);
-  if (calibrates) num_calibrated_ = CountKept(map_, segment_);
-  adjustment_ = std::async(
-      std::launch::async,
-      [calibrates, given = given_camera_, camera = camera_, start = calibration_.calibration,
-       options = options_](const Bundle& bundle) {
-        if (calibrates) return Calibrate(given, start, options, bundle);
-        Adjustment adjustment{bundle, std::nullopt, false};
-        AdjustBundle(camera, options.bundle_adjuster, adjustment.bundle);
-        return adjustment;
-      },
-      CopyBundle(map_, window, noise_));
-  adjusted_ = newest;
-}
-
-Odometry::Adjustment Odometry::Calibrate(const CameraParameters& given, const Calibration& start,
-                                         const OdometryOptions& options, const Bundle& bundle) {
-  Adjustment adjustment{bundle, std::nullopt, false};
-  adjustment.calibration = CalibrateBundle(given, start, options.calibration, adjustment.bundle);
-  if (!adjustment.calibration) return adjustment;
-  if (IsWithinPrior(adjustment.calibration->calibration, options.calibration)) return adjustment;
-  adjustment = {bundle, PriorEstimate(options.calibration), true};
-  AdjustBundle(Camera(given), options.bundle_adjuster, adjustment.bundle);
-  return adjustment;
-}
-
-bool Odometry::IsCalibrationDue() const {
-  constexpr int kMinKeyframes = 8;
-  if (!options_.calibration.enabled || contradicts_prior_) return false;
-  if (!IsCalibrated(given_camera_.model)) return false;
-  return CountKept(map_, segment_) >= std::max(kMinKeyframes, num_calibrated_ * 3 / 2);
-}
-
-void Odometry::SetCalibration(const CalibrationEstimate& estimate) {
-  calibration_ = estimate;
-  camera_ = Camera(ApplyCalibration(given_camera_, estimate.calibration));
-  map_.UpdateRays(camera_);
-  initializer_.SetCamera(camera_);
-  UpdateRays(camera_, previous_);
-}
-
-bool Odometry::IsAdjustmentDue(const Frame& frame) const {
-  constexpr int kAdjustmentFrames = 3;
-  return adjustment_.valid() &&
-         frame.index - map_.keyframe(adjusted_).frame.index >= kAdjustmentFrames;
-}
-
-void Odometry::FinishAdjustment() {
-  if (!adjustment_.valid()) return;
-  const StageTimer timer(times_.adjust_ms);
-  const Adjustment adjustment = adjustment_.get();
-  WriteBack(adjustment.bundle, map_);
-  contradicts_prior_ |= adjustment.contradicts_prior;
-  if (adjustment.calibration) SetCalibration(*adjustment.calibration);
-  CullKeyframes(map_, adjusted_, options_.keyframes);
-  ArchiveKeyframes();
-  if (records_.IsPosed(previous_.index)) {
-    previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
-  }
-}
-
-void Odometry::FinishAdjustmentUnder(Frame& frame) {
-  if (!adjustment_.valid()) return;
-  const KeyframeId nearest = map_.FindCovisible(frame).front().keyframe;
-  const SE3 keyframe_from_camera =
-      map_.WorldFromKeyframe(nearest).Inverse() * frame.world_from_camera;
-  FinishAdjustment();
-  frame.world_from_camera = map_.WorldFromKeyframe(nearest) * keyframe_from_camera;
-  for (LandmarkId& id : frame.landmarks) {
-    if (map_.FindLandmark(id) == nullptr) id = kNoId;
-  }
-}
-
 Trajectory Odometry::Finish() {
-  FinishAdjustment();
+  FinishMapping();
+  if (has_map()) adjuster_.Start(map_, noise_, records_.size());
+  FinishMapping();
   return GetTrajectory();
 }
 
@@ -302,7 +223,7 @@ FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
   SetUnposed(index, tracking, initialization);
   if (initialization.map && MayStartSegment(time_ns)) {
-    FinishAdjustment();
+    FinishMapping();
     StartSegment(initialization);
   }
   return records_.ResultOf(index, map_);
@@ -383,7 +304,7 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
         in_world, {{first_id, point.first_keypoint}, {second_id, point.second_keypoint}});
     AlignObservation(id, {second_id, point.second_keypoint}, camera_, noise_.octave_scales, map_);
     map_.UpdateAppearance(id, noise_.octave_scales);
-    recent_landmarks_.push_back(id);
+    landmark_builder_.AddOnTrial(id);
   }
   for (const KeyframeId id : {first_id, second_id}) {
     Frame& frame = id == first_id ? first : second;

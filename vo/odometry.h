@@ -2,14 +2,11 @@
 
 #include <cstddef>
 #include <functional>
-#include <future>
-#include <optional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "orb/extractor.h"
-#include "vo/bundle.h"
 #include "vo/calibration.h"
 #include "vo/camera.h"
 #include "vo/conventions.h"
@@ -18,7 +15,9 @@
 #include "vo/frame_result.h"
 #include "vo/initializer.h"
 #include "vo/keypoint_noise.h"
+#include "vo/landmark_builder.h"
 #include "vo/map.h"
+#include "vo/map_adjuster.h"
 #include "vo/options.h"
 #include "vo/tracker.h"
 #include "vo/trajectory.h"
@@ -83,26 +82,15 @@ class Odometry {
   /// As it was given, or as it is estimated meanwhile.
   const Camera& camera() const { return camera_; }
   /// How far that is from what was given, and how surely.
-  const CalibrationEstimate& calibration() const { return calibration_; }
-  const CameraParameters& given_camera() const { return given_camera_; }
+  const CalibrationEstimate& calibration() const { return adjuster_.calibration(); }
+  const CameraParameters& given_camera() const { return adjuster_.given_camera(); }
   /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
-  bool contradicts_given_camera() const { return contradicts_prior_; }
+  bool contradicts_given_camera() const { return adjuster_.contradicts_given_camera(); }
   const OdometryOptions& options() const { return options_; }
 
   const StageTimes& last_times() const { return times_; }
 
  private:
-  /// What is found beside the frames.
-  struct Adjustment {
-    Bundle bundle;
-    std::optional<CalibrationEstimate> calibration;
-    bool contradicts_prior = false;
-  };
-
-  /// Adjusts the camera too, if it stays within its prior.
-  static Adjustment Calibrate(const CameraParameters& given, const Calibration& start,
-                              const OdometryOptions& options, const Bundle& bundle);
-
   void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
 
@@ -110,19 +98,15 @@ class Odometry {
   /// anywhere.
   TrackingResult Track(Frame& frame);
   bool NeedsKeyframe(const Frame& frame) const;
-  /// Makes the frame a keyframe, adds landmarks around it and adjusts its window.
+  /// Makes the frame a keyframe and begins to add landmarks around it.
   void ExtendMap(Frame& frame);
-  void AddLandmarksAround(KeyframeId keyframe);
-  /// Adjusts the window of a keyframe beside the frames that follow ...
-  void StartAdjustment(KeyframeId newest);
-  /// ... until the map takes the result: at a fixed frame, or before it changes. Waits for it.
-  void FinishAdjustment();
-  /// FinishAdjustment, and moves a located frame with the map that it was located in.
-  void FinishAdjustmentUnder(Frame& frame);
-  bool IsAdjustmentDue(const Frame& frame) const;
-  /// Whenever the map has grown by half.
-  bool IsCalibrationDue() const;
-  void SetCalibration(const CalibrationEstimate& estimate);
+  /// What is left to do for the map, a frame's share: takes an adjustment that is due, adds
+  /// landmarks, begins the next adjustment.
+  void ContinueMapping(int frame);
+  /// The same to its end, but for the next adjustment.
+  void FinishMapping();
+  /// Takes the results of adjustments that are due before a frame, waiting for them.
+  void TakeAdjustments(int frame);
   /// Keeps what the relocalizer looks at and what belongs to it; the rest leaves the map.
   void ArchiveKeyframes();
   /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
@@ -152,7 +136,6 @@ class Odometry {
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
 
-  CameraParameters given_camera_;
   Camera camera_;
   OdometryOptions options_;
   int threads_;
@@ -161,18 +144,14 @@ class Odometry {
   Initializer initializer_;
   Map map_;
   LandmarkSink landmark_sink_;
-  std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
+  LandmarkBuilder landmark_builder_;
+  MapAdjuster adjuster_;
   FrameRecords records_;
   State state_ = State::kInitializing;
   int segment_ = kNoId;  // kNoId before anything is known of any frame.
   Frame previous_;       // The last posed frame.
   SE3 motion_;           // earlier_from_later over the last step between posed frames ...
   TimeNs step_ns_ = 0;   // ... and how long it took; 0 before the first.
-  std::future<Adjustment> adjustment_;  // Under way if valid.
-  KeyframeId adjusted_ = kNoId;         // The keyframe whose window it is.
-  CalibrationEstimate calibration_;
-  int num_calibrated_ = 0;          // Keyframes that told calibration_.
-  bool contradicts_prior_ = false;  // The pictures do not fit the given camera.
   StageTimes times_;
 };
 

@@ -77,7 +77,7 @@ struct RelocalizerOptions {
 /// When a frame becomes a keyframe, and how keyframes and landmarks are made and culled.
 struct KeyframeOptions {
   double max_tracked_share = 0.75;
-  int num_neighbors = 10;
+  int num_neighbors = 6;
   double min_parallax_deg = 0.6;
   int max_distance = 65;
   double min_found_share = 0.25;
@@ -106,6 +106,7 @@ struct BundleAdjusterOptions {
   double aligned_sigma_px = 0.6;
   int max_keyframes = 10;
   int min_shared_landmarks = 15;
+  int points_per_keyframe = 100;
   int max_iterations = 5;
 
   template <typename Self, typename Visitor>
@@ -117,6 +118,8 @@ struct BundleAdjusterOptions {
     field("max_keyframes", self.max_keyframes, 2, 1000, "that move in one adjustment");
     field("min_shared_landmarks", self.min_shared_landmarks, 1, 10000,
           "with the newest keyframe, for a keyframe to move");
+    field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
+          "that move with the keyframes, the longest tracks first; others are adjusted afterwards");
     field("max_iterations", self.max_iterations, 1, 1000, "of one adjustment");
   }
 };
@@ -128,6 +131,7 @@ struct CalibrationOptions {
   double k1_sigma = 0.03;
   double k2_sigma = 0.02;
   int max_keyframes = 60;
+  int points_per_keyframe = 120;
   int max_iterations = 10;
 
   template <typename Self, typename Visitor>
@@ -138,6 +142,8 @@ struct CalibrationOptions {
     field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "of the given k1 of a pinhole camera");
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "of the given k2");
     field("max_keyframes", self.max_keyframes, 2, 1000, "that tell the camera, the newest");
+    field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
+          "that tell the camera, the longest tracks first");
     field("max_iterations", self.max_iterations, 1, 1000, "of one estimate");
   }
 };

@@ -1,26 +1,18 @@
 #include "vo/pose_optimizer.h"
 
-#include <cmath>
 #include <limits>
 
 #include "vo/chi_square.h"
+#include "vo/huber.h"
 #include "vo/levenberg_marquardt.h"
 #include "vo/lie/so3.h"
 
 namespace corvo {
 namespace {
 
-/// Huber's loss of a squared error, and its derivative (the weight).
-struct Loss {
-  double value;
-  double weight;
-};
-
+/// Huber's while it is robust, otherwise the squared error itself.
 Loss EvaluateLoss(double squared_error, bool robust) {
-  if (!robust || squared_error <= kChiSquare2Dof95) return {squared_error, 1.0};
-  const double delta = std::sqrt(kChiSquare2Dof95);
-  const double error = std::sqrt(squared_error);
-  return {2 * delta * error - kChiSquare2Dof95, delta / error};
+  return robust ? HuberLoss(squared_error, kChiSquare2Dof95) : Loss{squared_error, 1.0};
 }
 
 /// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.

@@ -60,7 +60,7 @@ Trajectory RunDrive(const std::vector<cv::Mat>& pictures, int threads) {
   Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
   TimeNs time_ns = 0;
   for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
-  return odometry.GetTrajectory();
+  return odometry.Finish();
 }
 
 void ExpectIdentical(const Trajectory& a, const Trajectory& b) {
@@ -104,8 +104,8 @@ TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
     a.Process(first[i], (i + 1) * kFrameTime);
     b.Process(second[i], (i + 1) * kFrameTime);
   }
-  ExpectIdentical(a.GetTrajectory(), RunDrive(first, 1));
-  ExpectIdentical(b.GetTrajectory(), RunDrive(second, 1));
+  ExpectIdentical(a.Finish(), RunDrive(first, 1));
+  ExpectIdentical(b.Finish(), RunDrive(second, 1));
 }
 
 TEST(OdometryTest, AfterAResetItGivesWhatANewOneGives) {

@@ -1,0 +1,106 @@
+#include "vo/map_adjuster.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+#include "vo/bundle_adjuster.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kEnd = std::numeric_limits<int>::max();
+
+/// A turning path of views, taken with `taken_with`; keyframes and landmarks are disturbed.
+Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random) {
+  const test::PointScene scene = test::MakeBoxScene(600, 3, 12, random);
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < num_views; ++i) {
+    const SE3 pose(SO3::Exp({0, 0.03 * i, 0}), Eigen::Vector3d(0.25 * i, 0.05 * (i % 3), 0));
+    views.push_back(test::ObserveScene(scene, taken_with, pose, 0.3, random));
+  }
+  Map map = test::MakeMap(scene, views, test::MakeNoise());
+  map.UpdateRays(test::PinholeCamera());
+  for (KeyframeId id = 1; id < num_views; ++id) {
+    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
+  }
+  return map;
+}
+
+OdometryOptions FixedCamera() {
+  OdometryOptions options;
+  options.calibration.enabled = false;
+  return options;
+}
+
+TEST(MapAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
+  test::Random random(1);
+  Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
+  const SE3 before = map.WorldFromKeyframe(4);
+  MapAdjuster adjuster(test::PinholeCamera().parameters(), FixedCamera());
+  adjuster.Start(map, test::MakeNoise(), 10);
+  EXPECT_FALSE(adjuster.Finish(map, 11));
+  EXPECT_FALSE(adjuster.Finish(map, 12));
+  EXPECT_EQ(map.WorldFromKeyframe(4), before);
+  EXPECT_TRUE(adjuster.Finish(map, 13));
+  EXPECT_NE(map.WorldFromKeyframe(4), before);
+}
+
+TEST(MapAdjusterTest, GivesTheWindowThatAdjustBundleGives) {
+  test::Random random(2);
+  Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
+  Map expected = map;
+  const OdometryOptions options = FixedCamera();
+  Bundle bundle =
+      CopyBundle(expected, SelectWindow(expected, 4, options.bundle_adjuster), test::MakeNoise());
+  AdjustBundle(test::PinholeCamera(), options.bundle_adjuster, bundle);
+  WriteBack(bundle, expected);
+  MapAdjuster adjuster(test::PinholeCamera().parameters(), options);
+  adjuster.Start(map, test::MakeNoise(), 0);
+  adjuster.Finish(map, kEnd);
+  for (KeyframeId id = 0; id < 5; ++id) {
+    EXPECT_EQ(map.WorldFromKeyframe(id), expected.WorldFromKeyframe(id)) << id;
+  }
+}
+
+TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
+  test::Random random(3);
+  Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
+  MapAdjuster adjuster(test::PinholeCamera().parameters(), FixedCamera());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  EXPECT_TRUE(adjuster.Finish(map, kEnd));
+  adjuster.Start(map, test::MakeNoise(), 1);
+  EXPECT_FALSE(adjuster.Finish(map, kEnd));
+}
+
+TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
+  test::Random random(4);
+  CameraParameters true_camera = test::PinholeCamera().parameters();
+  true_camera.k1 = 0.04;
+  Map map = MakeDisturbedMap(14, Camera(true_camera), random);
+  MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  EXPECT_EQ(adjuster.camera().parameters().k1, 0);
+  adjuster.Finish(map, kEnd);
+  EXPECT_FALSE(adjuster.contradicts_given_camera());
+  EXPECT_NEAR(adjuster.camera().parameters().k1, 0.04, 0.01);
+  EXPECT_LT(adjuster.calibration().covariance(1, 1), 0.01 * 0.01);
+}
+
+TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
+  test::Random random(5);
+  CameraParameters true_camera = test::PinholeCamera().parameters();
+  true_camera.k1 = 0.3;
+  Map map = MakeDisturbedMap(14, Camera(true_camera), random);
+  MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  adjuster.Finish(map, kEnd);
+  EXPECT_TRUE(adjuster.contradicts_given_camera());
+  EXPECT_EQ(adjuster.camera().parameters().k1, 0);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,99 @@
+#include "vo/map_adjuster.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "vo/bundle_adjuster.h"
+#include "vo/bundle_calibrator.h"
+
+namespace corvo {
+namespace {
+
+/// Kept keyframes of a segment.
+int CountKept(const Map& map, int segment) {
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  return static_cast<int>(std::count_if(
+      kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
+}
+
+}  // namespace
+
+MapAdjuster::MapAdjuster(const CameraParameters& given, const OdometryOptions& options)
+    : given_(given),
+      camera_(given),
+      options_(options),
+      estimate_(PriorEstimate(options.calibration)) {}
+
+void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
+  constexpr int kFramesBeside = 3;
+  const KeyframeId newest = map.num_keyframes() - 1;
+  if (window_.result.valid() || newest == newest_) return;
+  newest_ = newest;
+  if (IsCalibrationDue(CountKept(map, map.SegmentOf(newest)))) StartCalibration(map, noise, frame);
+  window_.due_frame = frame + kFramesBeside;
+  window_.result = std::async(
+      std::launch::async,
+      [camera = camera_, options = options_.bundle_adjuster](Bundle&& bundle) {
+        AdjustBundle(camera, options, bundle);
+        return Result{std::move(bundle), std::nullopt, false};
+      },
+      CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
+}
+
+bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
+  constexpr int kMinKeyframes = 8;
+  if (!options_.calibration.enabled) return false;
+  if (!IsCalibrated(given_.model) || calibration_.result.valid()) return false;
+  return num_keyframes >= std::max(kMinKeyframes, num_calibrated_ * 3 / 2);
+}
+
+void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
+  constexpr int kFramesBeside = 15;
+  num_calibrated_ = CountKept(map, map.SegmentOf(newest_));
+  calibration_.due_frame = frame + kFramesBeside;
+  const AdjustmentWindow window = SelectNewestKeyframes(
+      map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
+  calibration_.result = std::async(
+      std::launch::async,
+      [given = given_, start = estimate_.calibration, options = options_](const Bundle& bundle) {
+        return Calibrate(given, start, options, bundle);
+      },
+      CopyBundle(map, window, noise));
+}
+
+/// Adjusts the camera too, if it stays within its prior.
+MapAdjuster::Result MapAdjuster::Calibrate(const CameraParameters& given, const Calibration& start,
+                                           const OdometryOptions& options, const Bundle& bundle) {
+  Result result{bundle, std::nullopt, false};
+  result.calibration = CalibrateBundle(given, start, options.calibration, result.bundle);
+  if (!result.calibration) return result;
+  if (IsWithinPrior(result.calibration->calibration, options.calibration)) return result;
+  result = {bundle, PriorEstimate(options.calibration), true};
+  AdjustBundle(Camera(given), options.bundle_adjuster, result.bundle);
+  return result;
+}
+
+bool MapAdjuster::Finish(Map& map, int frame) {
+  const bool calibrates = calibration_.IsDue(frame);
+  // A window is about the camera and the map before the calibration.
+  const bool adjusts = window_.IsDue(frame) || (calibrates && window_.result.valid());
+  if (adjusts) FinishWindow(map);
+  if (calibrates) FinishCalibration(map);
+  return adjusts || calibrates;
+}
+
+void MapAdjuster::FinishWindow(Map& map) { WriteBack(window_.result.get().bundle, map); }
+
+void MapAdjuster::FinishCalibration(Map& map) {
+  const Result result = calibration_.result.get();
+  WriteBack(result.bundle, map);
+  newest_ = kNoId;  // What is newer is to be adjusted to it.
+  contradicts_prior_ = result.contradicts_prior;
+  if (!result.calibration) return;
+  estimate_ = *result.calibration;
+  camera_ = Camera(ApplyCalibration(given_, estimate_.calibration));
+  map.UpdateRays(camera_);
+}
+
+}  // namespace corvo

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <future>
+#include <optional>
+
+#include "vo/bundle.h"
+#include "vo/calibration.h"
+#include "vo/camera.h"
+#include "vo/conventions.h"
+#include "vo/keypoint_noise.h"
+#include "vo/map.h"
+#include "vo/options.h"
+
+namespace corvo {
+
+/// Adjusts the map on threads of its own, beside the frames that follow: the window of a new
+/// keyframe and, whenever the map has grown by half, more keyframes and the camera with them. One
+/// of each at a time. Their results are due at fixed frames, however long they took, so that the
+/// same frames find the same map.
+class MapAdjuster {
+ public:
+  /// The camera and how surely it is known are in `given` and `options`.
+  MapAdjuster(const CameraParameters& given, const OdometryOptions& options);
+
+  /// Begins to adjust around the newest keyframe, after a frame, if that has not been begun and the
+  /// result of the adjustment before has been taken.
+  void Start(const Map& map, const KeypointNoise& noise, int frame);
+
+  /// Gives the map the results that are due before a frame, waiting for them. Returns whether there
+  /// were any.
+  bool Finish(Map& map, int frame);
+
+  /// The camera as it is known now.
+  const Camera& camera() const { return camera_; }
+  const CalibrationEstimate& calibration() const { return estimate_; }
+  const CameraParameters& given_camera() const { return given_; }
+  /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
+  bool contradicts_given_camera() const { return contradicts_prior_; }
+
+ private:
+  struct Result {
+    Bundle bundle;
+    std::optional<CalibrationEstimate> calibration;
+    bool contradicts_prior = false;
+  };
+
+  /// Under way while the result is valid.
+  struct Adjustment {
+    std::future<Result> result;
+    int due_frame = 0;
+
+    bool IsDue(int frame) const { return result.valid() && frame >= due_frame; }
+  };
+
+  static Result Calibrate(const CameraParameters& given, const Calibration& start,
+                          const OdometryOptions& options, const Bundle& bundle);
+
+  bool IsCalibrationDue(int num_keyframes) const;
+  void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
+  void FinishWindow(Map& map);
+  void FinishCalibration(Map& map);
+
+  CameraParameters given_;
+  Camera camera_;  // As it is known now.
+  OdometryOptions options_;
+  Adjustment window_;
+  Adjustment calibration_;
+  KeyframeId newest_ = kNoId;  // Whose window was adjusted last, with the camera as it is now.
+  CalibrationEstimate estimate_;
+  int num_calibrated_ = 0;  // Keyframes that told estimate_, or are about to.
+  bool contradicts_prior_ = false;
+};
+
+}  // namespace corvo

@@ -1,0 +1,61 @@
+#include "vo/point_adjuster.h"
+
+#include <algorithm>
+
+#include "vo/chi_square.h"
+#include "vo/huber.h"
+#include "vo/levenberg_marquardt.h"
+
+namespace corvo {
+namespace {
+
+void Accumulate(const Camera& camera, const SE3& camera_from_local,
+                const Bundle::Sighting& sighting, const Eigen::Vector3d& in_local,
+                NormalEquations<3>& equations) {
+  constexpr double kUnseen = 1e6;
+  Camera::Jacobian by_camera_point;
+  const auto pixel = camera.Project(camera_from_local * in_local, &by_camera_point);
+  if (!pixel) {
+    equations.cost += HuberLoss(kUnseen, kChiSquare2Dof95).value;
+    return;
+  }
+  const Eigen::Vector2d residual = (*pixel - sighting.pixel) / sighting.sigma_px;
+  const Camera::Jacobian jacobian =
+      by_camera_point * camera_from_local.rotation().matrix() / sighting.sigma_px;
+  const Loss loss = HuberLoss(residual.squaredNorm(), kChiSquare2Dof95);
+  equations.cost += loss.value;
+  equations.hessian += loss.weight * jacobian.transpose() * jacobian;
+  equations.gradient += loss.weight * jacobian.transpose() * residual;
+}
+
+}  // namespace
+
+void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bundle& bundle) {
+  constexpr int kMaxIterations = 5;
+  std::vector<SE3> camera_from_local;
+  for (const Bundle::View& view : bundle.views) camera_from_local.push_back(view.Pose().Inverse());
+  const auto plus = [](const Eigen::Vector3d& point, const Eigen::Vector3d& step) {
+    return Eigen::Vector3d(point + step);
+  };
+  auto first = bundle.sightings.begin();
+  while (first != bundle.sightings.end()) {
+    const int point = first->point;
+    const auto last = std::find_if(first, bundle.sightings.end(),
+                                   [&](const auto& sighting) { return sighting.point != point; });
+    const auto build = [&](const Eigen::Vector3d& in_local) {
+      NormalEquations<3> equations;
+      for (auto s = first; s != last; ++s) {
+        if (!s->is_inlier) continue;
+        Accumulate(camera, camera_from_local[s->view], *s, in_local, equations);
+      }
+      return equations;
+    };
+    if (!is_adjusted[point]) {
+      Eigen::Vector3d& in_local = bundle.points[point].in_local;
+      in_local = MinimizeLevenbergMarquardt<3>(in_local, build, plus, kMaxIterations).state;
+    }
+    first = last;
+  }
+}
+
+}  // namespace corvo
