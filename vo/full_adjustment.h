@@ -31,9 +31,8 @@ struct FullAdjustment {
   int num_inliers = 0;       ///< Of them; below the 95% quantile afterwards.
   double inlier_rms_px = 0;  ///< Of the inliers' errors, both axes together, px.
   CameraParameters camera;   ///< The start, unless the outcome is kLowered.
-  /// Of the camera's difference from what is given, poses and points marginalised: covariance(i, j)
-  /// belongs to the free parameters i and j. Without a finite entry on the diagonal, nothing tells
-  /// that parameter. Empty unless the outcome is kLowered.
+  /// Of the camera's difference from what is given, see CameraCovariance; empty unless the outcome
+  /// is kLowered.
   Eigen::MatrixXd covariance;
 };
 

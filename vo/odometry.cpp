@@ -88,9 +88,11 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 }
 
 void Odometry::Reset() {
-  LandmarkSink sink = std::move(landmark_sink_);
+  LandmarkSink landmark_sink = std::move(landmark_sink_);
+  SightingsSink sightings_sink = std::move(sightings_sink_);
   *this = Odometry(Camera(given_camera_), options_, threads_);
-  landmark_sink_ = std::move(sink);
+  landmark_sink_ = std::move(landmark_sink);
+  sightings_sink_ = std::move(sightings_sink);
 }
 
 MemoryUse Odometry::memory_use() const {
@@ -180,13 +182,19 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
   for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
     recent_landmarks_.push_back(id);
   }
-  FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+  const FusedLandmarks fused = FuseLandmarks(map_, keyframe, camera_, noise_, options_.keyframes);
+  if (sightings_sink_) {
+    untold_merges_.insert(untold_merges_.end(), fused.merges.begin(), fused.merges.end());
+  }
   map_.DropPatches(keyframe - kAlignedKeyframes);
 }
 
 void Odometry::ArchiveKeyframes() {
+  const auto leaving = [this](const Keyframe& keyframe) {
+    TellSightings(keyframe.frame, keyframe.segment, keyframe.id);
+  };
   for (const FinishedLandmark& landmark :
-       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes)) {
+       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes, leaving)) {
     if (landmark_sink_) landmark_sink_(landmark);
   }
 }
@@ -435,10 +443,36 @@ void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
   result.segment = segment_;
   result.num_matches = num_matches;
   result.num_inliers = num_inliers;
+  TellSightings(frame, segment_, kNoId);
   if (result.is_keyframe) return;
   const KeyframeId keyframe = map_.FindCovisible(frame).front().keyframe;
   records_.SetPose(frame.index, keyframe,
                    map_.WorldFromKeyframe(keyframe).Inverse() * frame.world_from_camera);
+}
+
+FrameSightings Odometry::SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const {
+  FrameSightings sightings{frame.index, segment, keyframe, {}, {}, {}};
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    const Landmark* landmark = map_.FindLandmark(frame.landmarks[k]);
+    if (landmark == nullptr) continue;
+    sightings.landmarks.push_back(
+        {landmark->id, frame.pixel(k).cast<float>(), static_cast<float>(noise_.Sigma(frame, k))});
+    if (keyframe != kNoId) sightings.in_world.push_back(landmark->in_world);
+  }
+  return sightings;
+}
+
+void Odometry::TellSightings(const Frame& frame, int segment, KeyframeId leaving) {
+  if (!sightings_sink_) return;
+  FrameSightings sightings = SightingsOf(frame, segment, leaving);
+  sightings.merges.swap(untold_merges_);
+  sightings_sink_(sightings);
+}
+
+void Odometry::VisitKeyframes(const SightingsSink& visit) const {
+  for (const KeyframeId id : map_.KeptKeyframes()) {
+    visit(SightingsOf(map_.keyframe(id).frame, map_.SegmentOf(id), id));
+  }
 }
 
 }  // namespace corvo

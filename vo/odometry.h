@@ -16,6 +16,7 @@
 #include "vo/frame.h"
 #include "vo/frame_records.h"
 #include "vo/frame_result.h"
+#include "vo/frame_sightings.h"
 #include "vo/initializer.h"
 #include "vo/keypoint_noise.h"
 #include "vo/map.h"
@@ -73,6 +74,12 @@ class Odometry {
   /// through a Reset.
   using LandmarkSink = std::function<void(const FinishedLandmark&)>;
   void SetLandmarkSink(LandmarkSink sink) { landmark_sink_ = std::move(sink); }
+
+  /// Calls `sink` with what each frame saw, from now on. Stays through a Reset. See vo/refiner.h.
+  void SetSightingsSink(SightingsSink sink) { sightings_sink_ = std::move(sink); }
+
+  /// Calls `visit` with what every keyframe sees that is kept in the map.
+  void VisitKeyframes(const SightingsSink& visit) const;
 
   MemoryUse memory_use() const;
 
@@ -151,6 +158,10 @@ class Odometry {
   double ChainScale(const InitialMap& initial, TimeNs baseline_ns) const;
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
+  /// Of a frame or, if it is one, of a keyframe.
+  FrameSightings SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const;
+  /// Gives the sink what a posed frame saw, or a keyframe that leaves.
+  void TellSightings(const Frame& frame, int segment, KeyframeId leaving);
 
   CameraParameters given_camera_;
   Camera camera_;
@@ -161,6 +172,8 @@ class Odometry {
   Initializer initializer_;
   Map map_;
   LandmarkSink landmark_sink_;
+  SightingsSink sightings_sink_;
+  std::vector<LandmarkMerge> untold_merges_;  // For the sink.
   std::vector<LandmarkId> recent_landmarks_;  // On trial, see CullLandmarks.
   FrameRecords records_;
   State state_ = State::kInitializing;
