@@ -20,8 +20,9 @@ struct LandmarkSighting {
 };
 
 /// What a frame saw, for those who want to adjust a sequence afterwards: the map forgets it. Each
-/// posed frame comes once, when it is posed; a keyframe that leaves the map for good comes again,
-/// with what is known then of what it sees.
+/// posed frame comes once, when it is posed. A keyframe comes again, with what is known by then of
+/// what it sees, when it leaves the map for good; and before that, with some landmarks of its own,
+/// when these leave with another keyframe.
 struct FrameSightings {
   int frame = 0;
   int segment = 0;

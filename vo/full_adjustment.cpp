@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kUnseenError = 1e3;  // Of a sighting that does not project, in units of sigma.
 constexpr int kRounds = 2;
+constexpr int kMaxDenseViews = 300;  // Dense algebra is faster up to about here.
 
 /// The camera under adjustment, made anew before each evaluation.
 class AdjustedCamera : public ceres::EvaluationCallback {
@@ -110,6 +111,12 @@ struct Parameters {
     }
   }
 
+  std::size_t num_views() const {
+    std::size_t num_views = 0;
+    for (const Bundle& bundle : bundles) num_views += bundle.views.size();
+    return num_views;
+  }
+
   void WriteBack() {
     auto point = points.begin();
     for (Bundle& bundle : bundles) {
@@ -185,13 +192,14 @@ bool Solve(const CameraPrior& prior, const FullAdjustmentOptions& options,
   ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
   ceres::Problem problem(problem_options);
   AddSightings(adjusted, &huber, parameters, problem);
-  if (problem.NumResidualBlocks() == 0) return false;
   if (prior.num_free() > 0) {
     problem.AddResidualBlock(MakePrior(prior), nullptr, parameters.difference.data());
   }
   for (Bundle& bundle : parameters.bundles) FixGauge(bundle, problem);
   ceres::Solver::Options solver_options = SolverOptions(options.max_iterations);
-  solver_options.linear_solver_type = ceres::SPARSE_SCHUR;
+  if (parameters.num_views() > kMaxDenseViews) {
+    solver_options.linear_solver_type = ceres::SPARSE_SCHUR;
+  }
   solver_options.linear_solver_ordering = EliminationOrder(parameters, problem);
   solver_options.callbacks.push_back(&progress);
   ceres::Solver::Summary summary;
@@ -286,8 +294,10 @@ FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& sta
   for (const Bundle& bundle : bundles) {
     result.num_sightings += static_cast<int>(bundle.sightings.size());
   }
+  if (result.num_sightings == 0) return result;
+  result.outcome = AdjustmentOutcome::kSolverFailed;
   result.initial_cost = RobustCost(prior, parameters.difference, bundles);
-  if (SolveInRounds(prior, options, progress, parameters)) {
+  if (std::isfinite(result.initial_cost) && SolveInRounds(prior, options, progress, parameters)) {
     result.final_cost = RobustCost(prior, parameters.difference, bundles);
     result.outcome = AdjustmentOutcome::kNotLowered;
     if (result.final_cost < result.initial_cost) {

@@ -16,6 +16,7 @@ struct FullAdjustmentOptions {
 
 enum class AdjustmentOutcome {
   kLowered,       ///< The robust cost is lower than before.
+  kNoSightings,   ///< There is nothing to adjust.
   kSolverFailed,  ///< No solution, or one that is no camera's.
   kNotLowered,    ///< The robust cost would be as high as before, or higher.
 };
@@ -24,7 +25,7 @@ enum class AdjustmentOutcome {
 /// quantile of χ²) of all sightings' squared errors, in units of sigma², and of the camera's χ²; a
 /// sighting that does not project counts as one with a squared error of 1e6.
 struct FullAdjustment {
-  AdjustmentOutcome outcome = AdjustmentOutcome::kSolverFailed;
+  AdjustmentOutcome outcome = AdjustmentOutcome::kNoSightings;
   double initial_cost = 0;
   double final_cost = 0;  ///< Of a solver that did not fail.
   int num_sightings = 0;

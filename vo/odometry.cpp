@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -190,9 +191,7 @@ void Odometry::AddLandmarksAround(KeyframeId keyframe) {
 }
 
 void Odometry::ArchiveKeyframes() {
-  const auto leaving = [this](const Keyframe& keyframe) {
-    TellSightings(keyframe.frame, keyframe.segment, keyframe.id);
-  };
+  const auto leaving = [this](const Keyframe& keyframe) { TellLeaving(keyframe); };
   for (const FinishedLandmark& landmark :
        corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes, leaving)) {
     if (landmark_sink_) landmark_sink_(landmark);
@@ -443,30 +442,49 @@ void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
   result.segment = segment_;
   result.num_matches = num_matches;
   result.num_inliers = num_inliers;
-  TellSightings(frame, segment_, kNoId);
+  TellPosed(frame);
   if (result.is_keyframe) return;
   const KeyframeId keyframe = map_.FindCovisible(frame).front().keyframe;
   records_.SetPose(frame.index, keyframe,
                    map_.WorldFromKeyframe(keyframe).Inverse() * frame.world_from_camera);
 }
 
+void Odometry::AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const {
+  const Landmark* landmark = map_.FindLandmark(frame.landmarks[keypoint]);
+  if (landmark == nullptr) return;
+  sightings.landmarks.push_back({landmark->id, frame.pixel(keypoint).cast<float>(),
+                                 static_cast<float>(noise_.Sigma(frame, keypoint))});
+  if (sightings.keyframe != kNoId) sightings.in_world.push_back(landmark->in_world);
+}
+
 FrameSightings Odometry::SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const {
   FrameSightings sightings{frame.index, segment, keyframe, {}, {}, {}};
-  for (int k = 0; k < frame.num_keypoints(); ++k) {
-    const Landmark* landmark = map_.FindLandmark(frame.landmarks[k]);
-    if (landmark == nullptr) continue;
-    sightings.landmarks.push_back(
-        {landmark->id, frame.pixel(k).cast<float>(), static_cast<float>(noise_.Sigma(frame, k))});
-    if (keyframe != kNoId) sightings.in_world.push_back(landmark->in_world);
-  }
+  for (int k = 0; k < frame.num_keypoints(); ++k) AddSighting(frame, k, sightings);
   return sightings;
 }
 
-void Odometry::TellSightings(const Frame& frame, int segment, KeyframeId leaving) {
+void Odometry::TellPosed(const Frame& frame) {
   if (!sightings_sink_) return;
-  FrameSightings sightings = SightingsOf(frame, segment, leaving);
+  FrameSightings sightings = SightingsOf(frame, segment_, kNoId);
   sightings.merges.swap(untold_merges_);
   sightings_sink_(sightings);
+}
+
+void Odometry::TellLeaving(const Keyframe& keyframe) const {
+  if (!sightings_sink_) return;
+  sightings_sink_(SightingsOf(keyframe.frame, keyframe.segment, keyframe.id));
+  std::map<KeyframeId, FrameSightings> last;
+  for (const LandmarkId id : keyframe.frame.landmarks) {
+    const Landmark* landmark = map_.FindLandmark(id);
+    if (landmark == nullptr || landmark->observations.size() > 2) continue;
+    for (const Observation& o : landmark->observations) {
+      if (o.keyframe == keyframe.id) continue;
+      const Frame& other = map_.keyframe(o.keyframe).frame;
+      const FrameSightings none{other.index, keyframe.segment, o.keyframe, {}, {}, {}};
+      AddSighting(other, o.keypoint, last.try_emplace(o.keyframe, none).first->second);
+    }
+  }
+  for (const auto& [other, sightings] : last) sightings_sink_(sightings);
 }
 
 void Odometry::VisitKeyframes(const SightingsSink& visit) const {

@@ -158,10 +158,14 @@ class Odometry {
   double ChainScale(const InitialMap& initial, TimeNs baseline_ns) const;
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
+  void AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const;
   /// Of a frame or, if it is one, of a keyframe.
   FrameSightings SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const;
-  /// Gives the sink what a posed frame saw, or a keyframe that leaves.
-  void TellSightings(const Frame& frame, int segment, KeyframeId leaving);
+  /// Gives the sink what a posed frame saw ...
+  void TellPosed(const Frame& frame);
+  /// ... or a keyframe that leaves the map, with the other last sightings of landmarks that leave
+  /// with it.
+  void TellLeaving(const Keyframe& keyframe) const;
 
   CameraParameters given_camera_;
   Camera camera_;

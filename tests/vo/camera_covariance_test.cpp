@@ -1,0 +1,57 @@
+#include "vo/camera_covariance.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "tests/support/matchers.h"
+#include "tests/vo/film.h"
+#include "vo/bundle_calibrator.h"
+
+namespace corvo {
+namespace {
+
+CameraPrior PriorOf(const CalibrationOptions& options) {
+  return {test::PinholeCamera().parameters(),
+          {{"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
+}
+
+TEST(CameraCovarianceTest, IsThatOfTheDenseCalibrator) {
+  test::Random random(1);
+  CalibrationOptions options;
+  options.focal_sigma = 0.01;
+  Bundle bundle = test::Film(test::PinholeCamera(), 10, 0.5, random);
+  const auto dense =
+      CalibrateBundle(test::PinholeCamera().parameters(), Calibration::Zero(), options, bundle);
+  ASSERT_TRUE(dense);
+  const Eigen::MatrixXd covariance =
+      CameraCovariance(PriorOf(options), dense->calibration, {bundle});
+  const Eigen::Vector3d units = dense->covariance.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::Matrix3d expected = units.asDiagonal() * dense->covariance * units.asDiagonal();
+  EXPECT_THAT(Eigen::MatrixXd(units.asDiagonal() * covariance * units.asDiagonal()),
+              test::IsMatrixNear(expected, 1e-5));
+}
+
+TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
+  test::Random random(2);
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
+  const Bundle bundle = test::Film(test::PinholeCamera(), 10, 0.5, random);
+  const Eigen::MatrixXd once = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle});
+  const Eigen::MatrixXd twice = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle, bundle});
+  ASSERT_TRUE(once.allFinite());
+  EXPECT_THAT(Eigen::MatrixXd(twice.cwiseQuotient(once)),
+              test::IsMatrixNear(Eigen::Matrix3d(Eigen::Matrix3d::Constant(0.5)), 1e-3));
+}
+
+TEST(CameraCovarianceTest, WithoutSightingsItIsThePrior) {
+  const CameraPrior prior = PriorOf(CalibrationOptions());
+  const Eigen::Vector3d sigmas =
+      CameraCovariance(prior, Eigen::Vector3d::Zero(), {Bundle()}).diagonal().cwiseSqrt();
+  EXPECT_THAT(sigmas, test::IsMatrixNear(PriorSigmas(CalibrationOptions()), 1e-12));
+  const CameraPrior unknown{prior.given, {{"focal"}}};
+  EXPECT_EQ(CameraCovariance(unknown, Eigen::VectorXd::Zero(1), {})(0, 0),
+            std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace corvo
