@@ -39,11 +39,12 @@ struct FullAdjustment {
 
 /// Adjusts the poses and points of bundles that were all seen by one camera, and the camera: it is
 /// known as `prior` says, and sought from `start` on. Robust (Huber) and in two rounds: the second
-/// goes without the sightings that the first leaves as gross outliers. Sparse Schur elimination of
-/// the points. Each bundle's gauge: its held views; with fewer than two of them the oldest view
-/// stays where it is, and the farthest keeps its distance from it. Afterwards sightings over the
-/// 95% quantile are marked as outliers. Unless the outcome is kLowered the bundles are as they
-/// were. `progress` gets the share done, 0 to 1, after each iteration. Deterministic. Throws
+/// goes without the sightings that the first leaves more than five sigmas off. The points are
+/// eliminated (Schur complement); what is left is solved by dense algebra up to 300 views, by
+/// sparse algebra beyond. Each bundle's gauge: its held views; with fewer than two of them the
+/// oldest view stays where it is, and the farthest keeps its distance from it. Afterwards sightings
+/// over the 95% quantile are marked as outliers. Unless the outcome is kLowered the bundles are as
+/// they were. `progress` gets the share done, 0 to 1, after each iteration. Deterministic. Throws
 /// corvo::Error on a prior that is not valid, and on a start that is no camera.
 FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& start,
                            const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,

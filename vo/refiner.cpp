@@ -266,11 +266,10 @@ void PlaceFrames(const SequenceRecord& record, const RefinedMap& refined, const 
 
 CameraPrior PriorOf(const Odometry& odometry) {
   const CalibrationOptions& options = odometry.options().calibration;
-  CameraPrior prior{odometry.given_camera(), {}};
-  const bool is_estimated = options.enabled && IsCalibrated(prior.given.model);
-  if (!is_estimated || odometry.contradicts_given_camera()) return prior;
-  prior.free = {{"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}};
-  return prior;
+  const CameraParameters& given = odometry.given_camera();
+  const bool is_estimated = options.enabled && IsCalibrated(given.model);
+  if (!is_estimated || odometry.contradicts_given_camera()) return {given, {}};
+  return MakePrior(given, options);
 }
 
 Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,

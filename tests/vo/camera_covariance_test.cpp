@@ -6,31 +6,10 @@
 
 #include "tests/support/matchers.h"
 #include "tests/vo/film.h"
-#include "vo/bundle_calibrator.h"
+#include "vo/calibration.h"
 
 namespace corvo {
 namespace {
-
-CameraPrior PriorOf(const CalibrationOptions& options) {
-  return {test::PinholeCamera().parameters(),
-          {{"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
-}
-
-TEST(CameraCovarianceTest, IsThatOfTheDenseCalibrator) {
-  test::Random random(1);
-  CalibrationOptions options;
-  options.focal_sigma = 0.01;
-  Bundle bundle = test::Film(test::PinholeCamera(), 10, 0.5, random);
-  const auto dense =
-      CalibrateBundle(test::PinholeCamera().parameters(), Calibration::Zero(), options, bundle);
-  ASSERT_TRUE(dense);
-  const Eigen::MatrixXd covariance =
-      CameraCovariance(PriorOf(options), dense->calibration, {bundle});
-  const Eigen::Vector3d units = dense->covariance.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::Matrix3d expected = units.asDiagonal() * dense->covariance * units.asDiagonal();
-  EXPECT_THAT(Eigen::MatrixXd(units.asDiagonal() * covariance * units.asDiagonal()),
-              test::IsMatrixNear(expected, 1e-5));
-}
 
 TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
   test::Random random(2);
@@ -44,7 +23,7 @@ TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
 }
 
 TEST(CameraCovarianceTest, WithoutSightingsItIsThePrior) {
-  const CameraPrior prior = PriorOf(CalibrationOptions());
+  const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), CalibrationOptions());
   const Eigen::Vector3d sigmas =
       CameraCovariance(prior, Eigen::Vector3d::Zero(), {Bundle()}).diagonal().cwiseSqrt();
   EXPECT_THAT(sigmas, test::IsMatrixNear(PriorSigmas(CalibrationOptions()), 1e-12));

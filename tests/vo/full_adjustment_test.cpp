@@ -238,10 +238,13 @@ TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
   bundles = truth;
   for (Bundle& bundle : bundles) Disturb(bundle, 0.02, random);
   const CameraPrior prior{camera.parameters(), {{"focal", 0.01}}};
+  std::vector<Bundle> again = bundles;
   const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
   EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(AdjustFully(prior, prior.given, {}, again).camera, result.camera);
   for (std::size_t i = 0; i < bundles.size(); ++i) {
     EXPECT_LT(PoseError(bundles[i], truth[i]), 0.02) << i;
+    ExpectUnchanged(again[i], bundles[i]);
   }
 }
 
