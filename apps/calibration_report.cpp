@@ -7,12 +7,17 @@
 
 namespace corvo {
 
-CalibrationReport ReportCalibration(const Odometry& odometry) {
+CalibrationReport ReportCalibration(const Odometry& odometry,
+                                    const std::optional<Refinement>& refinement) {
   const CameraParameters& given = odometry.given_camera();
   const CalibrationOptions& options = odometry.options().calibration;
   if (!options.enabled || !IsCalibrated(given.model)) return {};
-  const CameraParameters& camera = odometry.camera().parameters();
-  const Eigen::Vector3d sigmas = odometry.calibration().covariance.diagonal().cwiseSqrt();
+  const bool is_refined = refinement && refinement->adjustment.covariance.rows() > 0;
+  const CameraParameters& camera =
+      is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
+  Eigen::Vector3d variances = odometry.calibration().covariance.diagonal();
+  if (is_refined) variances = refinement->adjustment.covariance.diagonal();
+  const Eigen::Vector3d sigmas = variances.cwiseSqrt();
   const Eigen::Vector3d shares = 1 - sigmas.cwiseQuotient(PriorSigmas(options)).array().square();
   CalibrationReport report;
   report.estimates = {{"fx", given.fx, camera.fx, camera.fx * sigmas[0], shares[0]},

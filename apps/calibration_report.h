@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "vo/odometry.h"
+#include "vo/refiner.h"
 
 namespace corvo {
 
@@ -24,7 +26,9 @@ struct CalibrationReport {
   bool contradicts_given = false;   ///< As Odometry::contradicts_given_camera().
 };
 
-CalibrationReport ReportCalibration(const Odometry& odometry);
+/// By the refinement, where there is one that lowered the cost.
+CalibrationReport ReportCalibration(const Odometry& odometry,
+                                    const std::optional<Refinement>& refinement);
 
 /// null where the camera is not estimated.
 nlohmann::ordered_json ToJson(const CalibrationReport& report);

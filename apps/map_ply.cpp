@@ -41,4 +41,19 @@ std::string MapPly(const LandmarkSpool& finished, const Map& map, double metres_
   return Header(finished.size() + map.num_landmarks() + map.num_keyframes()) + vertices;
 }
 
+std::string MapPly(const Refinement& refinement, double metres_per_unit) {
+  std::string vertices;
+  int num_vertices = static_cast<int>(refinement.landmarks.size());
+  for (const FinishedLandmark& landmark : refinement.landmarks) {
+    vertices += Vertex(metres_per_unit * landmark.in_world, kLandmarkColour, landmark.segment);
+  }
+  for (const FrameResult& frame : refinement.trajectory.frames) {
+    if (!frame.is_keyframe || !frame.world_from_camera) continue;
+    vertices += Vertex(metres_per_unit * frame.world_from_camera->translation(), kKeyframeColour,
+                       frame.segment);
+    ++num_vertices;
+  }
+  return Header(num_vertices) + vertices;
+}
+
 }  // namespace corvo

@@ -1,6 +1,8 @@
 #include "apps/run.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -8,6 +10,7 @@
 #include "apps/interruption.h"
 #include "apps/output_folder.h"
 #include "apps/progress.h"
+#include "apps/progress_line.h"
 #include "apps/run_inputs.h"
 #include "apps/run_record.h"
 #include "apps/run_results.h"
@@ -26,16 +29,19 @@ constexpr const char* kFooter = R"(Examples:
   corvo run images/ --camera camera.yaml --fps 30 -o result
   corvo run 'images/left*.png' --camera camera.yaml --every 2 --resize 0.5 -o result
   corvo run drive.mp4 --camera phone.yaml --mask bonnet.png -o result
+  corvo run sequences/03 --refine -o result           # ... adjusted as a whole at the end
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way,
 130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are. A camera's
 sequence is ended by Ctrl-C, and written.)";
 
-RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
-                        const Interruption& interruption) {
+/// Before the first picture.
+RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
   RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads),
                    std::make_unique<LandmarkSpool>(),
+                   nullptr,
+                   std::nullopt,
                    {},
                    {},
                    0,
@@ -44,6 +50,25 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
       [finished = record.finished.get()](const FinishedLandmark& landmark) {
         finished->Add(landmark);
       });
+  if (!arguments.refine) return record;
+  record.sightings = std::make_unique<SightingsSpool>();
+  record.odometry.SetSightingsSink(
+      [sightings = record.sightings.get()](const FrameSightings& frame) { sightings->Add(frame); });
+  return record;
+}
+
+/// Adjusts what was recorded as a whole, under a bar of its own.
+void RefineRecord(RunRecord& record) {
+  ProgressLine line;
+  record.refinement = Refine(
+      record.odometry, [&](const SightingsSink& visit) { record.sightings->ForEach(visit); }, {},
+      [&line](double share) { line.Show(share, "refining"); });
+  record.trajectory = record.refinement->trajectory;
+}
+
+RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
+                        const Interruption& interruption) {
+  RunRecord record = MakeRecord(inputs, arguments);
   ProgressReport progress(inputs.source.size().value_or(0));
   TrackPictures pictures(arguments.pictures);
   Stopwatch watch;
@@ -61,7 +86,9 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
     record.is_interrupted = !inputs.source.is_live();
     break;
   }
-  record.trajectory = Scale(arguments.metres_per_unit.value_or(1), record.odometry.Finish());
+  record.trajectory = record.odometry.Finish();
+  if (arguments.refine && !record.is_interrupted) RefineRecord(record);
+  record.trajectory = Scale(arguments.metres_per_unit.value_or(1), std::move(record.trajectory));
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
 }
@@ -102,6 +129,9 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->add_option("--metres-per-unit", arguments->metres_per_unit,
                    "scale of the written trajectories and map (default: the run's own unit)")
       ->check(CLI::Range(1e-12, 1e12));
+  command->add_flag("--refine", arguments->refine,
+                    "after the last image adjust the whole sequence, and write the trajectory that "
+                    "comes of it");
   command->add_option("--threads", arguments->threads, "threads; never changes the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

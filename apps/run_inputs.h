@@ -28,6 +28,7 @@ struct RunArguments {
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty: not asked for.
   int threads = 1;
+  bool refine = false;  ///< After the last frame.
 };
 
 /// Everything a run reads but the pictures.

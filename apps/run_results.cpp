@@ -60,10 +60,17 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
 
 void WriteTables(const RunArguments& arguments, const RunRecord& record,
                  const OutputFolder& output) {
-  output.Write("map.ply", MapPly(*record.finished, record.odometry.map(),
-                                 arguments.metres_per_unit.value_or(1)));
+  const double metres_per_unit = arguments.metres_per_unit.value_or(1);
+  output.Write("map.ply", record.is_refined()
+                              ? MapPly(*record.refinement, metres_per_unit)
+                              : MapPly(*record.finished, record.odometry.map(), metres_per_unit));
   output.Write("frames.csv", FrameTable(record.trajectory));
   output.Write("timing.csv", TimingTable(record.timings));
+}
+
+Camera EstimatedCamera(const RunRecord& record) {
+  if (record.is_refined()) return Camera(record.refinement->adjustment.camera);
+  return record.odometry.camera();
 }
 
 void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
@@ -79,7 +86,7 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml",
-               WriteCameraFile({record.odometry.camera(), {}, "estimated by corvo run"}));
+               WriteCameraFile({EstimatedCamera(record), {}, "estimated by corvo run"}));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
   const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);

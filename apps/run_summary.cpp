@@ -127,7 +127,8 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = MeasureAndWarn(inputs, record.odometry);
-  summary.calibration = ReportCalibration(record.odometry);
+  summary.calibration = ReportCalibration(record.odometry, record.refinement);
+  if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   WarnOfContradiction(summary.calibration);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
@@ -149,6 +150,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
   json["camera"] = CameraJson(inputs.camera.parameters());
   json["calibration"] = ToJson(summary.calibration);
+  if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
   json["frames"] = summary.num_frames;
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
@@ -179,6 +181,7 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
       summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
   text += ReasonsText(summary) + ToText(summary.calibration);
+  if (summary.refinement) text += ToText(*summary.refinement);
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {
     text += ToText(fmt::format("{} rotations, 1 s", summary.num_rotations), *summary.rotation_deg,

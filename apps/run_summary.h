@@ -8,6 +8,7 @@
 
 #include "apps/calibration_report.h"
 #include "apps/outcome.h"
+#include "apps/refinement_report.h"
 #include "apps/run_inputs.h"
 #include "apps/run_record.h"
 #include "vo/evaluation.h"
@@ -29,7 +30,8 @@ struct RunSummary {
   std::string why_not_kitti;      ///< Why there is no trajectory.kitti; empty if there is.
   std::optional<MatchResiduals> residuals;
   CalibrationReport calibration;
-  std::optional<Evaluation> evaluation;  ///< Where there is ground truth to compare with.
+  std::optional<RefinementReport> refinement;  ///< Where it was asked for.
+  std::optional<Evaluation> evaluation;        ///< Where there is ground truth to compare with.
   /// Of all rotations, over one second and in degrees; likewise.
   std::optional<ErrorStatistics> rotation_deg;
 };

@@ -19,6 +19,11 @@ Eigen::Vector3d PriorSigmas(const CalibrationOptions& options) {
   return {options.focal_sigma, options.k1_sigma, options.k2_sigma};
 }
 
+CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options) {
+  return {given,
+          {{"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
+}
+
 CalibrationEstimate PriorEstimate(const CalibrationOptions& options) {
   return {Calibration::Zero(), PriorSigmas(options).cwiseAbs2().asDiagonal()};
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "vo/camera_parameters.h"
+#include "vo/camera_prior.h"
 #include "vo/options.h"
 
 namespace corvo {
@@ -23,6 +24,9 @@ CameraParameters ApplyCalibration(const CameraParameters& given, const Calibrati
 
 /// How sure the given camera is: standard deviations of a Calibration.
 Eigen::Vector3d PriorSigmas(const CalibrationOptions& options);
+
+/// The given camera with the numbers of a Calibration free.
+CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options);
 
 struct CalibrationEstimate {
   Calibration calibration = Calibration::Zero();

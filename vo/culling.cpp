@@ -80,13 +80,15 @@ void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) 
   }
 }
 
-std::vector<FinishedLandmark> ArchiveKeyframes(Map& map, int num_recent) {
+std::vector<FinishedLandmark> ArchiveKeyframes(
+    Map& map, int num_recent, const std::function<void(const Keyframe&)>& leaving) {
   map.ForgetMergesBefore(map.num_keyframes() - num_recent);
   const std::vector<KeyframeId> kept = map.KeptKeyframes();
   std::vector<FinishedLandmark> finished;
   if (static_cast<int>(kept.size()) <= num_recent) return finished;
   for (auto id = kept.begin(); id != kept.end() - num_recent; ++id) {
     if (SharesLandmark(map, map.keyframe(*id), kept.back())) continue;
+    if (leaving) leaving(map.keyframe(*id));
     const std::vector<FinishedLandmark> left = map.ArchiveKeyframe(*id);
     finished.insert(finished.end(), left.begin(), left.end());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "vo/keypoint_noise.h"
@@ -19,7 +20,9 @@ void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options);
 
 /// Archives the keyframes that nothing looks at any more: older than the `num_recent` newest that
 /// are kept, and without a landmark of the newest. Returns the landmarks that left. Forgets merges
-/// from before the `num_recent` newest keyframes of all.
-std::vector<FinishedLandmark> ArchiveKeyframes(Map& map, int num_recent);
+/// from before the `num_recent` newest keyframes of all. `leaving` is called with each keyframe
+/// before it leaves.
+std::vector<FinishedLandmark> ArchiveKeyframes(
+    Map& map, int num_recent, const std::function<void(const Keyframe&)>& leaving = {});
 
 }  // namespace corvo

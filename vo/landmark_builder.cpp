@@ -18,13 +18,15 @@ void LandmarkBuilder::Start(Map& map, KeyframeId keyframe, const Camera& camera,
   keyframe_ = keyframe;
 }
 
-void LandmarkBuilder::Finish(Map& map, const Camera& camera, const KeypointNoise& noise,
-                             const KeyframeOptions& options) {
+std::vector<LandmarkMerge> LandmarkBuilder::Finish(Map& map, const Camera& camera,
+                                                   const KeypointNoise& noise,
+                                                   const KeyframeOptions& options) {
   constexpr int kAlignedKeyframes = 30;  // Newest, in which landmarks are still aligned.
-  if (is_done()) return;
-  FuseLandmarks(map, keyframe_, camera, noise, options);
+  if (is_done()) return {};
+  const FusedLandmarks fused = FuseLandmarks(map, keyframe_, camera, noise, options);
   map.DropPatches(keyframe_ - kAlignedKeyframes);
   keyframe_ = kNoId;
+  return fused.merges;
 }
 
 }  // namespace corvo

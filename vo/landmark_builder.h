@@ -21,9 +21,10 @@ class LandmarkBuilder {
 
   bool is_done() const { return keyframe_ == kNoId; }
 
-  /// Joins what is known twice around the keyframe. No effect where it is done.
-  void Finish(Map& map, const Camera& camera, const KeypointNoise& noise,
-              const KeyframeOptions& options);
+  /// Joins what is known twice around the keyframe, and returns which landmarks were merged. No
+  /// effect where it is done.
+  std::vector<LandmarkMerge> Finish(Map& map, const Camera& camera, const KeypointNoise& noise,
+                                    const KeyframeOptions& options);
 
   /// A landmark that was made elsewhere.
   void AddOnTrial(LandmarkId id) { on_trial_.push_back(id); }

@@ -50,21 +50,22 @@ Candidates MatchIntoKeyframe(const Map& map, const std::vector<LandmarkId>& land
 }
 
 /// Merges two landmarks into the one with more observations (the older of equals).
-LandmarkId Merge(Map& map, LandmarkId a, LandmarkId b) {
+LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
   const std::size_t num_a = map.FindLandmark(a)->observations.size();
   const std::size_t num_b = map.FindLandmark(b)->observations.size();
   const bool keep_a = num_a != num_b ? num_a > num_b : a < b;
-  map.MergeLandmark(keep_a ? b : a, keep_a ? a : b);
-  return keep_a ? a : b;
+  const LandmarkMerge merge{keep_a ? b : a, keep_a ? a : b};
+  map.MergeLandmark(merge.from, merge.into);
+  return merge;
 }
 
-int FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
-             const Camera& camera, const KeypointNoise& noise, int max_distance) {
+void FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
+              const Camera& camera, const KeypointNoise& noise, int max_distance,
+              FusedLandmarks& fused) {
   const Keyframe& keyframe = map.keyframe(id);
   const Candidates candidates =
       MatchIntoKeyframe(map, landmarks, keyframe, camera, noise, max_distance);
   const SE3 camera_from_world = keyframe.frame.world_from_camera.Inverse();
-  int num_fused = 0;
   for (const orb::Match& match : candidates.matches) {
     LandmarkId landmark = candidates.landmarks[match.query];
     if (map.FindLandmark(landmark) == nullptr || Sees(*map.FindLandmark(landmark), id)) continue;
@@ -77,16 +78,16 @@ int FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
       map.AddObservation(landmark, {id, match.train});
       AlignObservation(landmark, {id, match.train}, camera, noise.octave_scales, map);
     } else {
-      landmark = Merge(map, landmark, present);
+      fused.merges.push_back(Merge(map, landmark, present));
+      landmark = fused.merges.back().into;
       for (const Observation& o :
            std::vector<Observation>(map.FindLandmark(landmark)->observations)) {
         AlignObservation(landmark, o, camera, noise.octave_scales, map);
       }
     }
     map.UpdateAppearance(landmark, noise.octave_scales);
-    ++num_fused;
+    ++fused.num_fused;
   }
-  return num_fused;
 }
 
 std::vector<LandmarkId> LandmarksOf(const Map& map, KeyframeId id) {
@@ -99,22 +100,22 @@ std::vector<LandmarkId> LandmarksOf(const Map& map, KeyframeId id) {
 
 }  // namespace
 
-int FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
-                  const KeyframeOptions& options) {
+FusedLandmarks FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
+                             const KeypointNoise& noise, const KeyframeOptions& options) {
   std::vector<Covisible> neighbors = map.FindCovisible(keyframe);
   if (static_cast<int>(neighbors.size()) > options.num_neighbors) {
     neighbors.resize(options.num_neighbors);
   }
-  int num_fused = 0;
+  FusedLandmarks fused;
   std::set<LandmarkId> around;
   for (const Covisible& neighbor : neighbors) {
-    num_fused += FuseInto(map, LandmarksOf(map, keyframe), neighbor.keyframe, camera, noise,
-                          options.max_distance);
+    FuseInto(map, LandmarksOf(map, keyframe), neighbor.keyframe, camera, noise,
+             options.max_distance, fused);
     for (const LandmarkId id : LandmarksOf(map, neighbor.keyframe)) around.insert(id);
   }
-  num_fused +=
-      FuseInto(map, {around.begin(), around.end()}, keyframe, camera, noise, options.max_distance);
-  return num_fused;
+  FuseInto(map, {around.begin(), around.end()}, keyframe, camera, noise, options.max_distance,
+           fused);
+  return fused;
 }
 
 }  // namespace corvo

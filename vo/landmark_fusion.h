@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "vo/camera.h"
 #include "vo/keypoint_noise.h"
 #include "vo/map.h"
@@ -7,11 +9,15 @@
 
 namespace corvo {
 
+struct FusedLandmarks {
+  int num_fused = 0;  ///< Merges and new observations.
+  std::vector<LandmarkMerge> merges;
+};
+
 /// Joins what a keyframe and its covisible keyframes know twice: each one's landmarks are projected
 /// into the other; where the nearest descriptor's keypoint sees another landmark the two are
 /// merged into the one with more observations, where it sees none it becomes an observation.
-/// Returns the number of merges and new observations.
-int FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
-                  const KeyframeOptions& options);
+FusedLandmarks FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
+                             const KeypointNoise& noise, const KeyframeOptions& options);
 
 }  // namespace corvo

@@ -59,6 +59,14 @@ struct FinishedLandmark {
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
 };
 
+/// A landmark became part of another.
+struct LandmarkMerge {
+  LandmarkId from = kNoId;
+  LandmarkId into = kNoId;
+
+  bool operator==(const LandmarkMerge&) const = default;
+};
+
 /// A keyframe and the number of landmarks that it shares with another.
 struct Covisible {
   KeyframeId keyframe = kNoId;

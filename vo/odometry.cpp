@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -77,9 +78,11 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 }
 
 void Odometry::Reset() {
-  LandmarkSink sink = std::move(landmark_sink_);
+  LandmarkSink landmark_sink = std::move(landmark_sink_);
+  SightingsSink sightings_sink = std::move(sightings_sink_);
   *this = Odometry(Camera(given_camera()), options_, threads_);
-  landmark_sink_ = std::move(sink);
+  landmark_sink_ = std::move(landmark_sink);
+  sightings_sink_ = std::move(sightings_sink);
 }
 
 MemoryUse Odometry::memory_use() const {
@@ -160,12 +163,19 @@ void Odometry::ContinueMapping(int frame) {
   TakeAdjustments(frame);
   const StageTimer timer(times_.map_ms);
   if (!has_map()) return;
-  landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+  FinishLandmarks();
   adjuster_.Start(map_, noise_, frame);
 }
 
+void Odometry::FinishLandmarks() {
+  const std::vector<LandmarkMerge> merges =
+      landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+  if (!sightings_sink_) return;
+  untold_merges_.insert(untold_merges_.end(), merges.begin(), merges.end());
+}
+
 void Odometry::FinishMapping() {
-  landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+  FinishLandmarks();
   TakeAdjustments(std::numeric_limits<int>::max());
 }
 
@@ -183,8 +193,9 @@ void Odometry::TakeAdjustments(int frame) {
 }
 
 void Odometry::ArchiveKeyframes() {
+  const auto leaving = [this](const Keyframe& keyframe) { TellLeaving(keyframe); };
   for (const FinishedLandmark& landmark :
-       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes)) {
+       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes, leaving)) {
     if (landmark_sink_) landmark_sink_(landmark);
   }
 }
@@ -356,10 +367,55 @@ void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
   result.segment = segment_;
   result.num_matches = num_matches;
   result.num_inliers = num_inliers;
+  TellPosed(frame);
   if (result.is_keyframe) return;
   const KeyframeId keyframe = map_.FindCovisible(frame).front().keyframe;
   records_.SetPose(frame.index, keyframe,
                    map_.WorldFromKeyframe(keyframe).Inverse() * frame.world_from_camera);
+}
+
+void Odometry::AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const {
+  const Landmark* landmark = map_.FindLandmark(frame.landmarks[keypoint]);
+  if (landmark == nullptr) return;
+  sightings.landmarks.push_back({landmark->id, frame.pixel(keypoint).cast<float>(),
+                                 static_cast<float>(noise_.Sigma(frame, keypoint))});
+  if (sightings.keyframe != kNoId) sightings.in_world.push_back(landmark->in_world);
+}
+
+FrameSightings Odometry::SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const {
+  FrameSightings sightings{frame.index, segment, keyframe, {}, {}, {}};
+  for (int k = 0; k < frame.num_keypoints(); ++k) AddSighting(frame, k, sightings);
+  return sightings;
+}
+
+void Odometry::TellPosed(const Frame& frame) {
+  if (!sightings_sink_) return;
+  FrameSightings sightings = SightingsOf(frame, segment_, kNoId);
+  sightings.merges.swap(untold_merges_);
+  sightings_sink_(sightings);
+}
+
+void Odometry::TellLeaving(const Keyframe& keyframe) const {
+  if (!sightings_sink_) return;
+  sightings_sink_(SightingsOf(keyframe.frame, keyframe.segment, keyframe.id));
+  std::map<KeyframeId, FrameSightings> last;
+  for (const LandmarkId id : keyframe.frame.landmarks) {
+    const Landmark* landmark = map_.FindLandmark(id);
+    if (landmark == nullptr || landmark->observations.size() > 2) continue;
+    for (const Observation& o : landmark->observations) {
+      if (o.keyframe == keyframe.id) continue;
+      const Frame& other = map_.keyframe(o.keyframe).frame;
+      const FrameSightings none{other.index, keyframe.segment, o.keyframe, {}, {}, {}};
+      AddSighting(other, o.keypoint, last.try_emplace(o.keyframe, none).first->second);
+    }
+  }
+  for (const auto& [other, sightings] : last) sightings_sink_(sightings);
+}
+
+void Odometry::VisitKeyframes(const SightingsSink& visit) const {
+  for (const KeyframeId id : map_.KeptKeyframes()) {
+    visit(SightingsOf(map_.keyframe(id).frame, map_.SegmentOf(id), id));
+  }
 }
 
 }  // namespace corvo

@@ -13,6 +13,7 @@
 #include "vo/frame.h"
 #include "vo/frame_records.h"
 #include "vo/frame_result.h"
+#include "vo/frame_sightings.h"
 #include "vo/initializer.h"
 #include "vo/keypoint_noise.h"
 #include "vo/landmark_builder.h"
@@ -73,6 +74,12 @@ class Odometry {
   using LandmarkSink = std::function<void(const FinishedLandmark&)>;
   void SetLandmarkSink(LandmarkSink sink) { landmark_sink_ = std::move(sink); }
 
+  /// Calls `sink` with what each frame saw, from now on. Stays through a Reset. See vo/refiner.h.
+  void SetSightingsSink(SightingsSink sink) { sightings_sink_ = std::move(sink); }
+
+  /// Calls `visit` with what every keyframe sees that is kept in the map.
+  void VisitKeyframes(const SightingsSink& visit) const;
+
   MemoryUse memory_use() const;
 
   /// The frame processed last, with its tracks: keypoint k sees landmark `landmarks[k]` or, if
@@ -103,7 +110,8 @@ class Odometry {
   /// What is left to do for the map, a frame's share: takes an adjustment that is due, adds
   /// landmarks, begins the next adjustment.
   void ContinueMapping(int frame);
-  /// The same to its end, but for the next adjustment.
+  void FinishLandmarks();
+  /// All of ContinueMapping but for the next adjustment, to its end.
   void FinishMapping();
   /// Takes the results of adjustments that are due before a frame, waiting for them.
   void TakeAdjustments(int frame);
@@ -135,6 +143,14 @@ class Odometry {
   double ChainScale(const InitialMap& initial, TimeNs baseline_ns) const;
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
+  void AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const;
+  /// Of a frame or, if it is one, of a keyframe.
+  FrameSightings SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const;
+  /// Gives the sink what a posed frame saw ...
+  void TellPosed(const Frame& frame);
+  /// ... or a keyframe that leaves the map, with the other last sightings of landmarks that leave
+  /// with it.
+  void TellLeaving(const Keyframe& keyframe) const;
 
   Camera camera_;
   OdometryOptions options_;
@@ -144,6 +160,8 @@ class Odometry {
   Initializer initializer_;
   Map map_;
   LandmarkSink landmark_sink_;
+  SightingsSink sightings_sink_;
+  std::vector<LandmarkMerge> untold_merges_;  // For the sink.
   LandmarkBuilder landmark_builder_;
   MapAdjuster adjuster_;
   FrameRecords records_;

@@ -31,6 +31,7 @@ struct Arguments {
   bool rendered = false;
   bool cost = false;
   bool details = false;
+  bool refine = false;
 };
 
 /// Between a process and its child.
@@ -67,8 +68,8 @@ std::vector<Trial> RunTrials(const std::vector<Scenario>& scenarios, const Argum
     for (const Perturbation& perturbation : scenario.perturbations) {
       if (!std::regex_search(perturbation.title, std::regex(arguments.perturbations))) continue;
       trials.push_back({scenario.title, perturbation, {}});
-      tasks.push_back([make = scenario.make, perturbation, options] {
-        return ToBytes(RunTrial(Perturb(make(), perturbation), options));
+      tasks.push_back([make = scenario.make, perturbation, options, refine = arguments.refine] {
+        return ToBytes(RunTrial(Perturb(make(), perturbation), options, refine));
       });
     }
   }
@@ -131,6 +132,7 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
          "--endurance", arguments.endurance_frames,
          "memory held over so many frames of scenes without an end instead; 20000 take long")
       ->check(CLI::Range(10, 10'000'000));
+  app.add_flag("--refine", arguments.refine, "trajectories refined after the last frame");
   app.add_flag("--details", arguments.details, "a line for each trial, too");
 }
 

@@ -4,10 +4,12 @@
 #include <limits>
 #include <set>
 
+#include "apps/sightings_spool.h"
 #include "bench/clocks.h"
 #include "orb/error.h"
 #include "vo/evaluation.h"
 #include "vo/odometry.h"
+#include "vo/refiner.h"
 
 namespace corvo::bench {
 namespace {
@@ -66,8 +68,10 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
 
 }  // namespace
 
-TrialResult RunTrial(const Recording& recording, const OdometryOptions& options) {
+TrialResult RunTrial(const Recording& recording, const OdometryOptions& options, bool refine) {
   Odometry odometry(recording.camera, options);
+  SightingsSpool spool;
+  if (refine) odometry.SetSightingsSink([&](const FrameSightings& frame) { spool.Add(frame); });
   double wall_ms = 0, processor_ms = 0;
   for (int i = 0; i < recording.size(); ++i) {
     const cv::Mat picture = recording.picture(i);
@@ -76,7 +80,12 @@ TrialResult RunTrial(const Recording& recording, const OdometryOptions& options)
     wall_ms += WallTimeMs() - wall;
     processor_ms += ProcessTimeMs() - processor;
   }
-  TrialResult result = Evaluated(odometry.Finish(), recording.truth);
+  Trajectory trajectory = odometry.Finish();
+  if (refine) {
+    trajectory =
+        Refine(odometry, [&](const SightingsSink& visit) { spool.ForEach(visit); }).trajectory;
+  }
+  TrialResult result = Evaluated(trajectory, recording.truth);
   result.wall_ms = wall_ms / result.frames;
   result.processor_ms = processor_ms / result.frames;
   return result;

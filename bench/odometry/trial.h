@@ -24,6 +24,8 @@ struct TrialResult {
   double peak_memory_mb = 0;  ///< Of the process; set by who started it.
 };
 
-TrialResult RunTrial(const Recording& recording, const OdometryOptions& options);
+/// Of the refined trajectory, if that is asked for.
+TrialResult RunTrial(const Recording& recording, const OdometryOptions& options,
+                     bool refine = false);
 
 }  // namespace corvo::bench

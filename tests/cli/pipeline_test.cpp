@@ -120,6 +120,30 @@ TEST_F(Pipeline, WritesMetresAndDraws) {
   EXPECT_EQ(std::distance(fs::directory_iterator(pictures), fs::directory_iterator()), kFrames);
 }
 
+TEST_F(Pipeline, RefinesWhatItWrites) {
+  const fs::path refined = *folder_ / "refined", again = *folder_ / "refined_again";
+  const CommandResult run = RunOn(Street(), refined, {"--gt", Truth(), "--refine"});
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_THAT(run.out, testing::ContainsRegex("\nrefined: robust cost [0-9.]+ -> [0-9.]+ over "));
+  const auto summary = nlohmann::json::parse(ReadText(refined / "summary.json"));
+  const auto plain = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+  EXPECT_FALSE(plain.contains("refinement"));
+  EXPECT_EQ(summary["refinement"]["refined"], true);
+  EXPECT_LT(summary["refinement"]["cost_after"], summary["refinement"]["cost_before"]);
+  EXPECT_EQ(summary["posed"], kFrames);
+  EXPECT_LT(summary["evaluation"]["ate"]["percent_of_path"], 0.5);
+  EXPECT_NE(ReadText(refined / "trajectory.tum"), ReadText(Result() / "trajectory.tum"));
+  EXPECT_NE(ReadText(refined / "camera_estimated.yaml"),
+            ReadText(Result() / "camera_estimated.yaml"));
+  EXPECT_NE(ReadText(refined / "map.ply"), ReadText(Result() / "map.ply"));
+  ASSERT_EQ(RunOn(Street(), again, {"--gt", Truth(), "--refine", "--threads", "2"}).exit_code,
+            kDone);
+  for (const char* name : {"trajectory.tum", "rotations.tum", "keyframes.tum", "map.ply",
+                           "summary.json", "camera_estimated.yaml"}) {
+    EXPECT_EQ(ReadText(refined / name), ReadText(again / name)) << name;
+  }
+}
+
 TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);

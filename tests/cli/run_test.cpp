@@ -85,6 +85,14 @@ TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
   EXPECT_THAT(ReadText(result_ / "trajectory.tum"), testing::MatchesRegex("(#.*\n)?"));
 }
 
+TEST_F(Run, WithoutAPoseHasNothingToRefine) {
+  const CommandResult result = RunHere({"--refine"});
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  EXPECT_THAT(result.out, HasSubstr("\nnot refined: there is nothing to adjust\n"));
+  EXPECT_EQ(Summary()["refinement"]["refined"], false);
+  EXPECT_EQ(Summary()["refinement"]["why_not"], "there is nothing to adjust");
+}
+
 TEST_F(Run, WithoutAPoseHasNothingToEvaluate) {
   WriteText(folder_ / "gt.txt", "0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n");
   const CommandResult result = RunHere({"--gt", folder_ / "gt.txt"});

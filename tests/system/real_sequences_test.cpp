@@ -16,15 +16,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs over a dataset's folder, at most `max_short_frames` frames in a short run.
-Trajectory RunOnFolder(const std::string& folder, const Camera* camera, int max_short_frames) {
-  const ImageList list = ListImages(test::DataPath(folder), 30);
-  int num_frames = static_cast<int>(list.images.size());
-  if (test::IsShortRun()) num_frames = std::min(num_frames, max_short_frames);
-  const auto source = [&](int i) {
-    return test::TimedPicture{ReadGreyImage(list.images[i].file), list.images[i].time_ns};
-  };
-  return test::RunOdometry(source, num_frames, camera ? *camera : Camera(*list.camera));
+/// A dataset's folder, of which a short run takes at most `max_short_frames` frames.
+struct Folder {
+  Folder(const std::string& folder, int max_short_frames)
+      : list(ListImages(test::DataPath(folder), 30)),
+        num_frames(static_cast<int>(list.images.size())) {
+    if (test::IsShortRun()) num_frames = std::min(num_frames, max_short_frames);
+  }
+
+  test::PictureSource Source() const {
+    return [this](int i) {
+      return test::TimedPicture{ReadGreyImage(list.images[i].file), list.images[i].time_ns};
+    };
+  }
+
+  ImageList list;
+  int num_frames;
+};
+
+Trajectory RunOnFolder(const std::string& name, const Camera* camera, int max_short_frames) {
+  const Folder folder(name, max_short_frames);
+  return test::RunOdometry(folder.Source(), folder.num_frames,
+                           camera ? *camera : Camera(*folder.list.camera));
 }
 
 PoseSequence ReadKittiTruth(const std::string& sequence) {
@@ -65,6 +78,16 @@ TEST(RealSequenceTest, Kitti03CountryRoad) {
 TEST(RealSequenceTest, Kitti05SharpTurn) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
+}
+
+TEST(RealSequenceTest, Kitti05SharpTurnRefined) {
+  CORVO_REQUIRE_DATA("kitti/sequences/05");
+  const Folder folder("kitti/sequences/05", 8);
+  const Refinement refined =
+      test::RunAndRefine(folder.Source(), folder.num_frames, Camera(*folder.list.camera));
+  EXPECT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_LT(refined.adjustment.final_cost, refined.adjustment.initial_cost);
+  ExpectAccurate(refined.trajectory, ReadKittiTruth("05"), 0.06, 0.98);
 }
 
 TEST(RealSequenceTest, Kitti06Straight) {

@@ -6,6 +6,7 @@
 
 #include "vo/camera.h"
 #include "vo/evaluation.h"
+#include "vo/refiner.h"
 #include "vo/trajectory.h"
 
 namespace corvo::test {
@@ -22,6 +23,9 @@ bool IsShortRun();
 
 /// Runs Odometry with default options over frames 0 to num_frames - 1.
 Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera);
+
+/// The same, refined after the last frame.
+Refinement RunAndRefine(const PictureSource& source, int num_frames, const Camera& camera);
 
 /// Position errors after one Sim3 for the whole sequence.
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth);

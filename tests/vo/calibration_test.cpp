@@ -54,5 +54,13 @@ TEST(CalibrationTest, PriorAllowsAFewSigmas) {
   EXPECT_FALSE(IsWithinPrior({0, 0.06, 0.09}, options));
 }
 
+TEST(CalibrationTest, AsAPriorItMovesTheSameCamera) {
+  const CalibrationOptions options;
+  const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
+  const Calibration calibration(0.003, 0.02, -0.01);
+  EXPECT_EQ(prior.Apply(calibration), ApplyCalibration(prior.given, calibration));
+  EXPECT_EQ(prior.SquaredError(PriorSigmas(options)), 3);
+}
+
 }  // namespace
 }  // namespace corvo

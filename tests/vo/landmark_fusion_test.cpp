@@ -47,7 +47,7 @@ TEST_F(LandmarkFusionTest, FusionAddsMissingObservations) {
     map_.RemoveObservation(id, 2);
     ++num_removed;
   }
-  const int num_fused = FuseLandmarks(map_, 2, camera_, noise_, options_);
+  const int num_fused = FuseLandmarks(map_, 2, camera_, noise_, options_).num_fused;
   EXPECT_GT(num_fused, 0.9 * num_removed);
   EXPECT_LE(num_fused, num_removed);
 }

@@ -10,51 +10,15 @@
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
+#include "tests/vo/two_walls.h"
 
 namespace corvo {
 namespace {
 
 constexpr TimeNs kFrameTime = 100'000'000;
 
-/// Smooth seeded noise with corners: a picture that ORB likes.
-cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
-  test::Random random(seed);
-  cv::Mat texture(height / 8, width / 8, CV_8UC1);
-  for (int y = 0; y < texture.rows; ++y) {
-    for (int x = 0; x < texture.cols; ++x) {
-      texture.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(random.UniformInt(20, 235));
-    }
-  }
-  cv::resize(texture, texture, {width, height}, 0, 0, cv::INTER_NEAREST);
-  return texture;
-}
-
-/// Two parallel textured walls, the nearer over the picture's middle, seen from x.
-class TwoWalls {
- public:
-  explicit TwoWalls(std::uint64_t seed, int width = 1600)
-      : near_(MakeTexture(width, 240, seed)), far_(MakeTexture(width, 480, seed + 1)) {}
-
-  cv::Mat Render(double x) const {
-    cv::Mat picture;
-    cv::getRectSubPix(far_, {640, 480}, cv::Point2d(500 + 500 * x / 8, 239.5), picture);
-    cv::Mat near;
-    cv::getRectSubPix(near_, {640, 240}, cv::Point2d(500 + 500 * x / 4, 119.5), near);
-    near.copyTo(picture.rowRange(120, 360));
-    return picture;
-  }
-
- private:
-  cv::Mat near_, far_;
-};
-
-/// A steady drive of `num_frames` along two walls.
-std::vector<cv::Mat> MakeDrive(int num_frames, std::uint64_t seed) {
-  const TwoWalls walls(seed);
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < num_frames; ++i) pictures.push_back(walls.Render(0.1 * i));
-  return pictures;
-}
+using test::MakeDrive;
+using test::TwoWalls;
 
 Trajectory RunDrive(const std::vector<cv::Mat>& pictures, int threads) {
   Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
@@ -207,29 +171,14 @@ TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
   }
 }
 
-/// A drive past one wall after another, 0.1 a frame.
-std::vector<cv::Mat> MakeLongDrive(int num_frames) {
-  const TwoWalls walls(11, 1600 + 13 * num_frames);
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < num_frames; ++i) {
-    cv::Mat picture;
-    cv::resize(walls.Render(0.1 * i), picture, {320, 240}, 0, 0, cv::INTER_AREA);
-    pictures.push_back(picture);
-  }
-  return pictures;
-}
-
 TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
   constexpr int kFrames = 300;
-  const std::vector<cv::Mat> drive = MakeLongDrive(kFrames);
-  CameraParameters half = test::PinholeCamera().parameters();
-  half.width /= 2, half.height /= 2;
-  half.fx /= 2, half.fy /= 2, half.cx = 159.5, half.cy = 119.5;
+  const std::vector<cv::Mat> drive = test::MakeLongDrive(kFrames);
   OdometryOptions options;
   options.calibration.enabled = false;  // What tells the camera may have left.
-  Odometry everything(Camera(half), options);
+  Odometry everything(test::LongDriveCamera(), options);
   options.relocalizer.max_keyframes = 16;
-  Odometry newest(Camera(half), options);
+  Odometry newest(test::LongDriveCamera(), options);
   std::set<LandmarkId> finished;
   newest.SetLandmarkSink(
       [&](const FinishedLandmark& landmark) { EXPECT_TRUE(finished.insert(landmark.id).second); });

@@ -1,0 +1,50 @@
+#include "apps/sightings_spool.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace corvo {
+namespace {
+
+FrameSightings MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
+  FrameSightings seen{frame, frame / 10, keyframe, {}, {}, {}};
+  for (int i = 0; i < num_landmarks; ++i) {
+    const auto shift = static_cast<float>(i);
+    seen.landmarks.push_back({7 * frame + i, {shift / 3, 100 - shift}, 0.6F + shift});
+    if (keyframe != kNoId) seen.in_world.emplace_back(i / 7.0, -i, 1e-9 * frame);
+  }
+  if (frame % 2 == 1) seen.merges = {{frame, 2}, {3, frame}};
+  return seen;
+}
+
+TEST(SightingsSpool, GivesBackWhatItTook) {
+  SightingsSpool spool;
+  spool.ForEach([](const FrameSightings&) { FAIL(); });
+  const std::vector<FrameSightings> given = {MakeFrame(0, kNoId, 3), MakeFrame(11, 4, 2),
+                                             MakeFrame(12, kNoId, 0), MakeFrame(13, kNoId, 1)};
+  std::size_t num_bytes = 0;
+  for (std::size_t count = 1; count <= given.size(); ++count) {
+    const FrameSightings& last = given[count - 1];
+    spool.Add(last);
+    num_bytes +=
+        24 + 16 * last.landmarks.size() + 24 * last.in_world.size() + 8 * last.merges.size();
+    std::size_t i = 0;
+    spool.ForEach([&](const FrameSightings& seen) {  // Reading does not disturb writing.
+      ASSERT_LT(i, count);
+      EXPECT_EQ(seen.frame, given[i].frame);
+      EXPECT_EQ(seen.segment, given[i].segment);
+      EXPECT_EQ(seen.keyframe, given[i].keyframe);
+      EXPECT_EQ(seen.landmarks, given[i].landmarks);
+      EXPECT_EQ(seen.in_world, given[i].in_world);
+      EXPECT_EQ(seen.merges, given[i].merges);
+      ++i;
+    });
+    EXPECT_EQ(i, count);
+    EXPECT_EQ(spool.size(), static_cast<int>(count));
+    EXPECT_EQ(spool.num_bytes(), num_bytes);
+  }
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,56 @@
+#include "vo/differentiable_camera.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+#include "vo/calibration.h"
+
+namespace corvo {
+namespace {
+
+const Eigen::Vector3d kPoint(0.6, -0.4, 2);
+
+TEST(DifferentiableCameraTest, ItsDerivativeIsTheAnalyticOne) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.k1 = -0.1;
+  given.k2 = 0.05;
+  const CameraPrior prior{given, {{"focal"}, {"k1"}, {"k2"}}};
+  const DifferentiableCamera camera(prior, Eigen::Vector3d(0.01, 0.02, 0));
+  const Eigen::Vector2d pixel = *camera.camera().Project(kPoint);
+  EXPECT_THAT(
+      Eigen::MatrixXd(camera.PixelByDifference(kPoint, pixel)),
+      test::IsMatrixNear(
+          PixelByCalibration(camera.camera().parameters(), kPoint.hnormalized(), pixel), 1e-5));
+}
+
+TEST(DifferentiableCameraTest, ThePrincipalPointMovesThePictureAndAFocalLengthOneAxis) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"cx"}, {"cy"}, {"fy"}}};
+  const DifferentiableCamera camera(prior, Eigen::Vector3d::Zero());
+  Eigen::Matrix<double, 2, 3> expected;
+  expected << 1, 0, 0, 0, 1, -0.2;
+  EXPECT_THAT(Eigen::MatrixXd(camera.PixelByDifference(kPoint, *camera.camera().Project(kPoint))),
+              test::IsMatrixNear(expected, 1e-7));
+}
+
+TEST(DifferentiableCameraTest, AtTheEndOfARangeItLooksInside) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.model = CameraModel::kFov;
+  given.omega = 3;
+  const CameraPrior prior{given, {{"omega"}}};
+  const auto derivative = [&](double omega) {
+    const DifferentiableCamera camera(prior, Eigen::VectorXd::Constant(1, omega - 3));
+    return Eigen::MatrixXd(camera.PixelByDifference(kPoint, *camera.camera().Project(kPoint)));
+  };
+  EXPECT_GT(derivative(3).norm(), 1);
+  EXPECT_THAT(derivative(3), test::IsMatrixNear(derivative(2.9999), 0.1));
+}
+
+TEST(DifferentiableCameraTest, RefusesWhatIsNoCamera) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"fx"}}};
+  EXPECT_THAT([&] { DifferentiableCamera(prior, Eigen::VectorXd::Constant(1, -600)); },
+              test::ThrowsError("camera.fx", "-100"));
+}
+
+}  // namespace
+}  // namespace corvo

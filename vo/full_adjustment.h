@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vo/bundle.h"
+#include "vo/camera_prior.h"
+
+namespace corvo {
+
+struct FullAdjustmentOptions {
+  int max_iterations = 30;  ///< Of either round.
+};
+
+enum class AdjustmentOutcome {
+  kLowered,       ///< The robust cost is lower than before.
+  kNoSightings,   ///< There is nothing to adjust.
+  kSolverFailed,  ///< No solution, or one that is no camera's.
+  kNotLowered,    ///< The robust cost would be as high as before, or higher.
+};
+
+/// What became of a full adjustment. A robust cost is half the sum of Huber's loss (at the 95%
+/// quantile of χ²) of all sightings' squared errors, in units of sigma², and of the camera's χ²; a
+/// sighting that does not project counts as one with a squared error of 1e6.
+struct FullAdjustment {
+  AdjustmentOutcome outcome = AdjustmentOutcome::kNoSightings;
+  double initial_cost = 0;
+  double final_cost = 0;  ///< Of a solver that did not fail.
+  int num_sightings = 0;
+  int num_inliers = 0;       ///< Of them; below the 95% quantile afterwards.
+  double inlier_rms_px = 0;  ///< Of the inliers' errors, both axes together, px.
+  CameraParameters camera;   ///< The start, unless the outcome is kLowered.
+  /// Of the camera's difference from what is given, see CameraCovariance; empty unless the outcome
+  /// is kLowered.
+  Eigen::MatrixXd covariance;
+};
+
+/// Adjusts the poses and points of bundles that were all seen by one camera, and the camera: it is
+/// known as `prior` says, and sought from `start` on. Robust (Huber) and in two rounds: the second
+/// goes without the sightings that the first leaves more than five sigmas off. The points are
+/// eliminated (Schur complement); what is left is solved by dense algebra up to 300 views, by
+/// sparse algebra beyond. Each bundle's gauge: its held views; with fewer than two of them the
+/// oldest view stays where it is, and the farthest keeps its distance from it. Afterwards sightings
+/// over the 95% quantile are marked as outliers. Unless the outcome is kLowered the bundles are as
+/// they were. `progress` gets the share done, 0 to 1, after each iteration. Deterministic. Throws
+/// corvo::Error on a prior that is not valid, and on a start that is no camera.
+FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& start,
+                           const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,
+                           const std::function<void(double)>& progress = {});
+
+/// What is left of a bundle when of every view only about so many points are kept, so that an
+/// adjustment's size grows with the views alone: points seen by the most views first (of equals,
+/// the first), each is kept unless all views that see it have `max_points` already; points seen by
+/// fewer than two views go.
+Bundle ThinPoints(const Bundle& bundle, int max_points);
+
+}  // namespace corvo
