@@ -44,7 +44,7 @@ class SequenceRecord {
       for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
       if (seen.keyframe == kNoId) {
         others.insert(KeyOf(seen));
-      } else {
+      } else if (!odometry.map().IsRetired(seen.keyframe)) {
         Append(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
       }
     };
