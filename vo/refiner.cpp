@@ -38,7 +38,8 @@ std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_coun
 /// The frames to be adjusted, which see landmarks under their last names.
 class SequenceRecord {
  public:
-  SequenceRecord(const Odometry& odometry, const SightingsSource& sightings, int frames_between) {
+  SequenceRecord(const Odometry& odometry, const SightingsSource& sightings,
+                 const RefinerOptions& options) {
     std::set<FrameKey> others;
     const auto keep = [&](const FrameSightings& seen) {
       for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
@@ -51,7 +52,7 @@ class SequenceRecord {
     sightings(keep);
     odometry.VisitKeyframes(keep);
     KeepLandmarks();
-    const std::set<FrameKey> chosen = ChooseBetween(others, frames_between);
+    const std::set<FrameKey> chosen = ChooseBetween(others, NumBetween(options));
     const Trajectory trajectory = odometry.GetTrajectory();
     sightings([&](const FrameSightings& seen) {
       if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
@@ -93,6 +94,11 @@ class SequenceRecord {
         in_world_[landmark] = frame.seen.in_world[i];
       }
     }
+  }
+
+  int NumBetween(const RefinerOptions& options) const {
+    const int num_keyframes = std::max(1, static_cast<int>(frames_.size()));
+    return std::clamp(options.max_frames / num_keyframes - 1, 0, options.frames_between);
   }
 
   /// Of the frames that are no keyframes, some between each keyframe and the next.
@@ -274,7 +280,7 @@ CameraPrior PriorOf(const Odometry& odometry) {
 
 Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
                   const RefinerOptions& options, const std::function<void(double)>& progress) {
-  const SequenceRecord record(odometry, sightings, options.frames_between);
+  const SequenceRecord record(odometry, sightings, options);
   std::vector<Bundle> bundles;
   for (const auto& [segment, bundle] : MakeBundles(record)) {
     bundles.push_back(ThinPoints(bundle, options.max_points));
