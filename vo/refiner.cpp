@@ -180,15 +180,17 @@ std::map<int, Bundle> MakeBundles(const SequenceRecord& record) {
 /// What a refinement made of frames and landmarks.
 class RefinedMap {
  public:
-  /// `bundles` as MakeBundles made them, one a segment, adjusted.
-  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles) {
+  /// `bundles` as MakeBundles made them, one a segment, adjusted. Frames with fewer inliers are
+  /// left out.
+  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles, int min_inliers) {
     auto frame = record.frames().begin();
     for (const Bundle& bundle : bundles) {
       AddLandmarks(bundle, frame->second.seen.segment);
-      for (const Bundle::View& view : bundle.views) {
+      const std::vector<int> num_inliers = CountInliers(bundle);
+      for (std::size_t view = 0; view < bundle.views.size(); ++view, ++frame) {
+        if (num_inliers[view] < min_inliers) continue;
         moves_[frame->first] = {frame->second.world_from_camera,
-                                bundle.world_from_local * view.Pose()};
-        ++frame;
+                                bundle.world_from_local * bundle.views[view].Pose()};
       }
     }
   }
@@ -210,6 +212,15 @@ class RefinedMap {
   struct Poses {
     SE3 before, after;  // world_from_camera
   };
+
+  /// Of each view.
+  static std::vector<int> CountInliers(const Bundle& bundle) {
+    std::vector<int> num_inliers(bundle.views.size(), 0);
+    for (const Bundle::Sighting& sighting : bundle.sightings) {
+      num_inliers[sighting.view] += sighting.is_inlier;
+    }
+    return num_inliers;
+  }
 
   void AddLandmarks(const Bundle& bundle, int segment) {
     std::vector<int> num_inliers(bundle.points.size(), 0);
@@ -290,11 +301,12 @@ Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
   refinement.adjustment = AdjustFully(PriorOf(odometry), odometry.camera().parameters(),
                                       options.adjustment, bundles, progress);
   if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return refinement;
-  const RefinedMap refined(record, bundles);
+  const int min_inliers = odometry.options().tracker.min_inliers;
+  const RefinedMap refined(record, bundles, min_inliers);
   refinement.num_adjusted = refined.num_frames();
   for (const auto& [id, landmark] : refined.landmarks()) refinement.landmarks.push_back(landmark);
-  PlaceFrames(record, refined, Camera(refinement.adjustment.camera),
-              odometry.options().tracker.min_inliers, sightings, refinement);
+  PlaceFrames(record, refined, Camera(refinement.adjustment.camera), min_inliers, sightings,
+              refinement);
   return refinement;
 }
 
