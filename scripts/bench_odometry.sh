@@ -3,7 +3,8 @@
 # under every perturbation, then measures its cost beside cv::ORB's. Writes the tables as
 # build/release/bench_odometry.md and every figure as build/release/bench_odometry.json.
 #
-#   bench_odometry.sh [ARGUMENT...]     for corvo_odometry_bench: --rendered, --scenarios 'KITTI 05'
+#   bench_odometry.sh [ARGUMENT...]     for corvo_odometry_bench: --refine, --rendered,
+#                                       --scenarios 'KITTI 05'
 #
 # Pictures are looked for in the folder that CORVO_DATA names. The costs need an idle machine.
 set -euo pipefail

@@ -89,6 +89,8 @@ class Map {
 
   /// It has not left.
   bool IsKept(KeyframeId id) const { return keyframes_.count(id) > 0; }
+  /// It was retired: its frame is one like any other.
+  bool IsRetired(KeyframeId id) const { return places_[id].anchor != kNoId; }
   /// Those that have not left, in ascending order.
   std::vector<KeyframeId> KeptKeyframes() const;
   /// Of one that is kept.

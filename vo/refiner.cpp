@@ -38,20 +38,21 @@ std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_coun
 /// The frames to be adjusted, which see landmarks under their last names.
 class SequenceRecord {
  public:
-  SequenceRecord(const Odometry& odometry, const SightingsSource& sightings, int frames_between) {
+  SequenceRecord(const Odometry& odometry, const SightingsSource& sightings,
+                 const RefinerOptions& options) {
     std::set<FrameKey> others;
     const auto keep = [&](const FrameSightings& seen) {
       for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
       if (seen.keyframe == kNoId) {
         others.insert(KeyOf(seen));
-      } else {
+      } else if (!odometry.map().IsRetired(seen.keyframe)) {
         Append(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
       }
     };
     sightings(keep);
     odometry.VisitKeyframes(keep);
     KeepLandmarks();
-    const std::set<FrameKey> chosen = ChooseBetween(others, frames_between);
+    const std::set<FrameKey> chosen = ChooseBetween(others, NumBetween(options));
     const Trajectory trajectory = odometry.GetTrajectory();
     sightings([&](const FrameSightings& seen) {
       if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
@@ -93,6 +94,11 @@ class SequenceRecord {
         in_world_[landmark] = frame.seen.in_world[i];
       }
     }
+  }
+
+  int NumBetween(const RefinerOptions& options) const {
+    const int num_keyframes = std::max(1, static_cast<int>(frames_.size()));
+    return std::clamp(options.max_frames / num_keyframes - 1, 0, options.frames_between);
   }
 
   /// Of the frames that are no keyframes, some between each keyframe and the next.
@@ -174,15 +180,17 @@ std::map<int, Bundle> MakeBundles(const SequenceRecord& record) {
 /// What a refinement made of frames and landmarks.
 class RefinedMap {
  public:
-  /// `bundles` as MakeBundles made them, one a segment, adjusted.
-  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles) {
+  /// `bundles` as MakeBundles made them, one a segment, adjusted. Frames with fewer inliers are
+  /// left out.
+  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles, int min_inliers) {
     auto frame = record.frames().begin();
     for (const Bundle& bundle : bundles) {
       AddLandmarks(bundle, frame->second.seen.segment);
-      for (const Bundle::View& view : bundle.views) {
+      const std::vector<int> num_inliers = CountInliers(bundle);
+      for (std::size_t view = 0; view < bundle.views.size(); ++view, ++frame) {
+        if (num_inliers[view] < min_inliers) continue;
         moves_[frame->first] = {frame->second.world_from_camera,
-                                bundle.world_from_local * view.Pose()};
-        ++frame;
+                                bundle.world_from_local * bundle.views[view].Pose()};
       }
     }
   }
@@ -204,6 +212,15 @@ class RefinedMap {
   struct Poses {
     SE3 before, after;  // world_from_camera
   };
+
+  /// Of each view.
+  static std::vector<int> CountInliers(const Bundle& bundle) {
+    std::vector<int> num_inliers(bundle.views.size(), 0);
+    for (const Bundle::Sighting& sighting : bundle.sightings) {
+      num_inliers[sighting.view] += sighting.is_inlier;
+    }
+    return num_inliers;
+  }
 
   void AddLandmarks(const Bundle& bundle, int segment) {
     std::vector<int> num_inliers(bundle.points.size(), 0);
@@ -274,7 +291,7 @@ CameraPrior PriorOf(const Odometry& odometry) {
 
 Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
                   const RefinerOptions& options, const std::function<void(double)>& progress) {
-  const SequenceRecord record(odometry, sightings, options.frames_between);
+  const SequenceRecord record(odometry, sightings, options);
   std::vector<Bundle> bundles;
   for (const auto& [segment, bundle] : MakeBundles(record)) {
     bundles.push_back(ThinPoints(bundle, options.max_points));
@@ -284,11 +301,12 @@ Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
   refinement.adjustment = AdjustFully(PriorOf(odometry), odometry.camera().parameters(),
                                       options.adjustment, bundles, progress);
   if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return refinement;
-  const RefinedMap refined(record, bundles);
+  const int min_inliers = odometry.options().tracker.min_inliers;
+  const RefinedMap refined(record, bundles, min_inliers);
   refinement.num_adjusted = refined.num_frames();
   for (const auto& [id, landmark] : refined.landmarks()) refinement.landmarks.push_back(landmark);
-  PlaceFrames(record, refined, Camera(refinement.adjustment.camera),
-              odometry.options().tracker.min_inliers, sightings, refinement);
+  PlaceFrames(record, refined, Camera(refinement.adjustment.camera), min_inliers, sightings,
+              refinement);
   return refinement;
 }
 

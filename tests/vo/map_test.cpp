@@ -116,6 +116,8 @@ TEST_F(MapTest, RetiredKeyframesMoveWithTheirAnchors) {
   map_.RetireKeyframe(1, 2);
   map_.RetireKeyframe(2, 3);
   EXPECT_FALSE(map_.IsKept(1));
+  EXPECT_TRUE(map_.IsRetired(1));
+  EXPECT_FALSE(map_.IsRetired(3));
   const SE3 moved(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7));
   const SE3 second_from_third = map_.WorldFromKeyframe(3).Inverse() * map_.WorldFromKeyframe(2);
   map_.SetPose(3, moved);
@@ -130,6 +132,7 @@ TEST_F(MapTest, ArchivedKeyframesStayWhereTheyWere) {
   map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
   map_.RetireKeyframe(0, 1);
   map_.ArchiveKeyframe(1);
+  EXPECT_FALSE(map_.IsRetired(1));
   map_.SetPose(2, SE3(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7)));
   EXPECT_EQ(map_.num_keyframes(), 4);
   EXPECT_THAT(map_.KeptKeyframes(), ElementsAre(2, 3));
