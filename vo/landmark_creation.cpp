@@ -35,14 +35,12 @@ bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& c
 
 std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, const Camera& camera,
                                                 const KeypointNoise& noise, double min_parallax) {
-  const auto in_world = Triangulate({a.frame.world_from_camera, a.frame.rays[a.keypoint]},
-                                    {b.frame.world_from_camera, b.frame.rays[b.keypoint]});
-  if (!in_world || !in_world->allFinite()) return std::nullopt;
+  const PosedRay ray_a{a.frame.world_from_camera, a.frame.rays[a.keypoint]};
+  const PosedRay ray_b{b.frame.world_from_camera, b.frame.rays[b.keypoint]};
   const double coarser = std::max(a.OctaveScale(noise), b.OctaveScale(noise));
-  if (ParallaxAngle(*in_world, a.frame.world_from_camera, b.frame.world_from_camera) <
-      min_parallax * coarser) {
-    return std::nullopt;
-  }
+  if (RayAngle(ray_a, ray_b) < min_parallax * coarser) return std::nullopt;
+  const auto in_world = Triangulate(ray_a, ray_b);
+  if (!in_world || !in_world->allFinite()) return std::nullopt;
   if (!FitsView(*in_world, a, camera, noise) || !FitsView(*in_world, b, camera, noise)) {
     return std::nullopt;
   }

@@ -49,7 +49,7 @@ bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
 }
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
-  constexpr int kFramesBeside = 15;
+  constexpr int kFramesBeside = 20;
   num_calibrated_ = CountKept(map, map.SegmentOf(newest_));
   calibration_.due_frame = frame + kFramesBeside;
   const AdjustmentWindow window = SelectNewestKeyframes(

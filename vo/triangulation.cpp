@@ -17,6 +17,10 @@ Eigen::Matrix<double, 2, 4> RayEquations(const PosedRay& view) {
   return equations;
 }
 
+double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b) {
@@ -28,11 +32,14 @@ std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b)
   return Eigen::Vector3d(homogeneous.hnormalized());
 }
 
+double RayAngle(const PosedRay& a, const PosedRay& b) {
+  return Angle(a.world_from_camera.rotation() * a.ray.homogeneous(),
+               b.world_from_camera.rotation() * b.ray.homogeneous());
+}
+
 double ParallaxAngle(const Eigen::Vector3d& in_world, const SE3& world_from_a,
                      const SE3& world_from_b) {
-  const Eigen::Vector3d to_a = world_from_a.translation() - in_world;
-  const Eigen::Vector3d to_b = world_from_b.translation() - in_world;
-  return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
+  return Angle(world_from_a.translation() - in_world, world_from_b.translation() - in_world);
 }
 
 }  // namespace corvo

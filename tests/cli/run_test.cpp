@@ -317,6 +317,8 @@ TEST(RunWithTheWrongCamera, WarnsThatTheCalibrationIsImplausible) {
   EXPECT_EQ(residuals()["implausible_calibration"], false);
   EXPECT_LT(residuals()["median_px"], 2);
   EXPECT_THAT(RunKitchen(folder.path(), 1170).err,
+              HasSubstr("warning: the pictures contradict the given camera"));
+  EXPECT_THAT(RunKitchen(folder.path(), 1755).err,
               HasSubstr("warning: the calibration is implausible"));
   EXPECT_EQ(residuals()["implausible_calibration"], true);
   EXPECT_GT(residuals()["median_px"], 2);

@@ -44,5 +44,16 @@ TEST(TriangulationTest, ParallaxByHand) {
   EXPECT_EQ(ParallaxAngle({0, 0, 1}, left, left), 0);
 }
 
+TEST(TriangulationTest, TheAngleBetweenRaysIsTheParallaxWhereTheyMeet) {
+  test::Random random(3);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d point = random.Vector<3>(0.5) + Eigen::Vector3d(0, 0, 5);
+    const SE3 a = SE3::Exp(random.Vector<6>(0.3)), b = SE3::Exp(random.Vector<6>(0.3));
+    const PosedRay ray_a{a, (a.Inverse() * point).hnormalized()};
+    const PosedRay ray_b{b, (b.Inverse() * point).hnormalized()};
+    EXPECT_NEAR(RayAngle(ray_a, ray_b), ParallaxAngle(point, a, b), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace corvo
