@@ -190,8 +190,7 @@ class ReducedInformation {
 /// From the selected points.
 Eigen::Matrix3d ComputeCovariance(const Camera& camera, const Eigen::Vector3d& prior_sigmas,
                                   const std::vector<char>& is_selected, const Bundle& bundle) {
-  std::vector<SE3> camera_from_local;
-  for (const Bundle::View& view : bundle.views) camera_from_local.push_back(view.Pose().Inverse());
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
   ReducedInformation information(static_cast<int>(bundle.views.size()));
   std::vector<Linearized> of_point;
   for (std::size_t i = 0; i < bundle.sightings.size(); ++i) {

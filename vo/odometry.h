@@ -80,7 +80,7 @@ class Odometry {
   const Frame& last_frame() const;
 
   /// As it was given, or as it is estimated meanwhile.
-  const Camera& camera() const { return camera_; }
+  const Camera& camera() const { return adjuster_.camera(); }
   /// How far that is from what was given, and how surely.
   const CalibrationEstimate& calibration() const { return adjuster_.calibration(); }
   const CameraParameters& given_camera() const { return adjuster_.given_camera(); }
@@ -136,7 +136,6 @@ class Odometry {
   void SetMotion(const Frame& from, const Frame& to);
   void SetPosed(const Frame& frame, int num_matches, int num_inliers);
 
-  Camera camera_;
   OdometryOptions options_;
   int threads_;
   orb::Extractor extractor_;
