@@ -1,6 +1,7 @@
 #include "vo/bundle.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "vo/lie/sim3.h"
 #include "vo/median.h"
@@ -45,19 +46,13 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world,
   }
 }
 
-std::vector<SE3> InvertPoses(const Bundle& bundle) {
-  std::vector<SE3> poses;
-  for (const Bundle::View& view : bundle.views) poses.push_back(view.Pose().Inverse());
-  return poses;
-}
-
 /// world_after_from_world_before of what each view sees.
 std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
   std::vector<SE3> before;
   for (const Bundle::View& view : bundle.views) {
     before.push_back(map.WorldFromKeyframe(view.keyframe).Inverse());
   }
-  const std::vector<SE3> after = InvertPoses(bundle);
+  const std::vector<SE3> after = CamerasFromLocal(bundle);
   std::vector<std::vector<double>> ratios(bundle.views.size());
   for (const Bundle::Sighting& sighting : bundle.sightings) {
     const Bundle::Point& point = bundle.points[sighting.point];
@@ -126,6 +121,19 @@ bool HasObservation(const Map& map, LandmarkId landmark, const Observation& obse
 
 }  // namespace
 
+std::vector<SE3> CamerasFromLocal(const Bundle& bundle) {
+  std::vector<SE3> poses;
+  for (const Bundle::View& view : bundle.views) poses.push_back(view.Pose().Inverse());
+  return poses;
+}
+
+std::vector<int> SightingOffsets(const Bundle& bundle) {
+  std::vector<int> offsets(bundle.points.size() + 1, 0);
+  for (const Bundle::Sighting& sighting : bundle.sightings) ++offsets[sighting.point + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  return offsets;
+}
+
 Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise) {
   Bundle bundle;
   KeyframeId oldest = window.moving.front();
@@ -141,7 +149,7 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const Keypoint
 }
 
 void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle) {
-  const std::vector<SE3> camera_from_local = InvertPoses(bundle);
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
   for (Bundle::Sighting& sighting : bundle.sightings) {
     const PointObservation observation{bundle.points[sighting.point].in_local, sighting.pixel,
                                        sighting.sigma_px};

@@ -46,6 +46,13 @@ struct Bundle {
   std::vector<Sighting> sightings;  ///< Point by point.
 };
 
+/// camera_from_local of each view.
+std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
+
+/// The sightings of point p are those from [p] to [p + 1] - 1: one entry more than there are
+/// points.
+std::vector<int> SightingOffsets(const Bundle& bundle);
+
 Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise);
 
 /// Marks as outliers the sightings over a squared error, in units of sigma², and no others.

@@ -30,13 +30,17 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
   const KeyframeId newest = map.num_keyframes() - 1;
   if (window_.result.valid() || newest == newest_) return;
   newest_ = newest;
-  if (IsCalibrationDue(CountKept(map, map.SegmentOf(newest)))) StartCalibration(map, noise, frame);
+  const int num_keyframes = CountKept(map, map.SegmentOf(newest));
+  if (IsCalibrationDue(num_keyframes)) {
+    num_calibrated_ = num_keyframes;
+    StartCalibration(map, noise, frame);
+  }
   window_.due_frame = frame + kFramesBeside;
   window_.result = std::async(
       std::launch::async,
       [camera = camera_, options = options_.bundle_adjuster](Bundle&& bundle) {
         AdjustBundle(camera, options, bundle);
-        return Result{std::move(bundle), std::nullopt, false};
+        return std::move(bundle);
       },
       CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
 }
@@ -50,7 +54,6 @@ bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
   constexpr int kFramesBeside = 20;
-  num_calibrated_ = CountKept(map, map.SegmentOf(newest_));
   calibration_.due_frame = frame + kFramesBeside;
   const AdjustmentWindow window = SelectNewestKeyframes(
       map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
@@ -63,9 +66,11 @@ void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, i
 }
 
 /// Adjusts the camera too, if it stays within its prior.
-MapAdjuster::Result MapAdjuster::Calibrate(const CameraParameters& given, const Calibration& start,
-                                           const OdometryOptions& options, const Bundle& bundle) {
-  Result result{bundle, std::nullopt, false};
+MapAdjuster::Calibrated MapAdjuster::Calibrate(const CameraParameters& given,
+                                               const Calibration& start,
+                                               const OdometryOptions& options,
+                                               const Bundle& bundle) {
+  Calibrated result{bundle, std::nullopt, false};
   result.calibration = CalibrateBundle(given, start, options.calibration, result.bundle);
   if (!result.calibration) return result;
   if (IsWithinPrior(result.calibration->calibration, options.calibration)) return result;
@@ -78,15 +83,13 @@ bool MapAdjuster::Finish(Map& map, int frame) {
   const bool calibrates = calibration_.IsDue(frame);
   // A window is about the camera and the map before the calibration.
   const bool adjusts = window_.IsDue(frame) || (calibrates && window_.result.valid());
-  if (adjusts) FinishWindow(map);
+  if (adjusts) WriteBack(window_.result.get(), map);
   if (calibrates) FinishCalibration(map);
   return adjusts || calibrates;
 }
 
-void MapAdjuster::FinishWindow(Map& map) { WriteBack(window_.result.get().bundle, map); }
-
 void MapAdjuster::FinishCalibration(Map& map) {
-  const Result result = calibration_.result.get();
+  const Calibrated result = calibration_.result.get();
   WriteBack(result.bundle, map);
   newest_ = kNoId;  // What is newer is to be adjusted to it.
   contradicts_prior_ = result.contradicts_prior;

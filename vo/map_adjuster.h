@@ -38,13 +38,14 @@ class MapAdjuster {
   bool contradicts_given_camera() const { return contradicts_prior_; }
 
  private:
-  struct Result {
+  struct Calibrated {
     Bundle bundle;
     std::optional<CalibrationEstimate> calibration;
     bool contradicts_prior = false;
   };
 
   /// Under way while the result is valid.
+  template <typename Result>
   struct Adjustment {
     std::future<Result> result;
     int due_frame = 0;
@@ -52,19 +53,18 @@ class MapAdjuster {
     bool IsDue(int frame) const { return result.valid() && frame >= due_frame; }
   };
 
-  static Result Calibrate(const CameraParameters& given, const Calibration& start,
-                          const OdometryOptions& options, const Bundle& bundle);
+  static Calibrated Calibrate(const CameraParameters& given, const Calibration& start,
+                              const OdometryOptions& options, const Bundle& bundle);
 
   bool IsCalibrationDue(int num_keyframes) const;
   void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
-  void FinishWindow(Map& map);
   void FinishCalibration(Map& map);
 
   CameraParameters given_;
   Camera camera_;  // As it is known now.
   OdometryOptions options_;
-  Adjustment window_;
-  Adjustment calibration_;
+  Adjustment<Bundle> window_;
+  Adjustment<Calibrated> calibration_;
   KeyframeId newest_ = kNoId;  // Whose window was adjusted last, with the camera as it is now.
   CalibrationEstimate estimate_;
   int num_calibrated_ = 0;  // Keyframes that told estimate_, or are about to.

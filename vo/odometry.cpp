@@ -57,8 +57,7 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
 }  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
-    : camera_(camera),
-      options_(Validated(options)),
+    : options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
       noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
@@ -103,9 +102,9 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
     throw Error(fmt::format("image has type {}; allowed is 8-bit with one channel (CV_8UC1)",
                             cv::typeToString(image.type())));
   }
-  if (image.cols != camera_.width() || image.rows != camera_.height()) {
+  if (image.cols != camera().width() || image.rows != camera().height()) {
     throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
-                            camera_.width(), camera_.height()));
+                            camera().width(), camera().height()));
   }
   const Frame& last = last_frame();
   if (records_.size() > 0 && time_ns <= last.time_ns) {
@@ -120,7 +119,7 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
   std::vector<orb::Patch> patches;
   extractor_.Extract(image, mask, features, patches);
   Frame frame =
-      MakeFrame(records_.size(), time_ns, std::move(features), camera_, std::move(patches));
+      MakeFrame(records_.size(), time_ns, std::move(features), camera(), std::move(patches));
   FrameOutcome result;
   result.index = frame.index;
   result.time_ns = time_ns;
@@ -134,12 +133,13 @@ TrackingResult Odometry::Track(Frame& frame) {
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
   if (!has_map()) return tracking;
-  tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera_, noise_,
+  tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera(), noise_,
                         options_.tracker, frame);
   const bool is_sure =
       state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
   if (tracking.reason == Reason::kNone && is_sure) return tracking;
-  return Relocalize(map_, segment_, camera_, noise_, options_.tracker, options_.relocalizer, frame);
+  return Relocalize(map_, segment_, camera(), noise_, options_.tracker, options_.relocalizer,
+                    frame);
 }
 
 bool Odometry::NeedsKeyframe(const Frame& frame) const {
@@ -153,7 +153,7 @@ bool Odometry::NeedsKeyframe(const Frame& frame) const {
 void Odometry::ExtendMap(Frame& frame) {
   const StageTimer timer(times_.map_ms);
   const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
-  landmark_builder_.Start(map_, keyframe, camera_, noise_, options_.keyframes);
+  landmark_builder_.Start(map_, keyframe, camera(), noise_, options_.keyframes);
   frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
   records_.SetPose(frame.index, keyframe, SE3());
   records_.outcome(frame.index).is_keyframe = true;
@@ -169,7 +169,7 @@ void Odometry::ContinueMapping(int frame) {
 
 void Odometry::FinishLandmarks() {
   const std::vector<LandmarkMerge> merges =
-      landmark_builder_.Finish(map_, camera_, noise_, options_.keyframes);
+      landmark_builder_.Finish(map_, camera(), noise_, options_.keyframes);
   if (!sightings_sink_) return;
   untold_merges_.insert(untold_merges_.end(), merges.begin(), merges.end());
 }
@@ -181,10 +181,12 @@ void Odometry::FinishMapping() {
 
 void Odometry::TakeAdjustments(int frame) {
   const StageTimer timer(times_.adjust_ms);
+  const Calibration before = adjuster_.calibration().calibration;
   if (!adjuster_.Finish(map_, frame)) return;
-  camera_ = adjuster_.camera();
-  initializer_.SetCamera(camera_);
-  UpdateRays(camera_, previous_);
+  if (adjuster_.calibration().calibration != before) {
+    initializer_.SetCamera(camera());
+    UpdateRays(camera(), previous_);
+  }
   CullKeyframes(map_, map_.num_keyframes() - 1, options_.keyframes);
   ArchiveKeyframes();
   if (records_.IsPosed(previous_.index)) {
@@ -313,7 +315,7 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
         first.world_from_camera * Eigen::Vector3d(scale * point.in_first);
     const LandmarkId id = map_.AddLandmark(
         in_world, {{first_id, point.first_keypoint}, {second_id, point.second_keypoint}});
-    AlignObservation(id, {second_id, point.second_keypoint}, camera_, noise_.octave_scales, map_);
+    AlignObservation(id, {second_id, point.second_keypoint}, camera(), noise_.octave_scales, map_);
     map_.UpdateAppearance(id, noise_.octave_scales);
     landmark_builder_.AddOnTrial(id);
   }
@@ -334,7 +336,7 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
     if (records_.IsPosed(frame.index)) break;
     const SE3 predicted = PredictPose(frames[located], frame.time_ns);
     const TrackingResult tracking =
-        TrackFrame(map_, frames[located], predicted, camera_, noise_, options_.tracker, frame);
+        TrackFrame(map_, frames[located], predicted, camera(), noise_, options_.tracker, frame);
     if (tracking.reason != Reason::kNone) continue;
     SetPosed(frame, tracking.num_matches, tracking.num_inliers);
     located = i;

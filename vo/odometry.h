@@ -87,7 +87,7 @@ class Odometry {
   const Frame& last_frame() const;
 
   /// As it was given, or as it is estimated meanwhile.
-  const Camera& camera() const { return camera_; }
+  const Camera& camera() const { return adjuster_.camera(); }
   /// How far that is from what was given, and how surely.
   const CalibrationEstimate& calibration() const { return adjuster_.calibration(); }
   const CameraParameters& given_camera() const { return adjuster_.given_camera(); }
@@ -152,7 +152,6 @@ class Odometry {
   /// with it.
   void TellLeaving(const Keyframe& keyframe) const;
 
-  Camera camera_;
   OdometryOptions options_;
   int threads_;
   orb::Extractor extractor_;

@@ -1,6 +1,6 @@
 #include "vo/point_adjuster.h"
 
-#include <algorithm>
+#include <cstddef>
 
 #include "vo/chi_square.h"
 #include "vo/huber.h"
@@ -32,29 +32,24 @@ void Accumulate(const Camera& camera, const SE3& camera_from_local,
 
 void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bundle& bundle) {
   constexpr int kMaxIterations = 5;
-  std::vector<SE3> camera_from_local;
-  for (const Bundle::View& view : bundle.views) camera_from_local.push_back(view.Pose().Inverse());
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
+  const std::vector<int> offsets = SightingOffsets(bundle);
   const auto plus = [](const Eigen::Vector3d& point, const Eigen::Vector3d& step) {
     return Eigen::Vector3d(point + step);
   };
-  auto first = bundle.sightings.begin();
-  while (first != bundle.sightings.end()) {
-    const int point = first->point;
-    const auto last = std::find_if(first, bundle.sightings.end(),
-                                   [&](const auto& sighting) { return sighting.point != point; });
+  for (std::size_t point = 0; point < bundle.points.size(); ++point) {
+    if (is_adjusted[point]) continue;
     const auto build = [&](const Eigen::Vector3d& in_local) {
       NormalEquations<3> equations;
-      for (auto s = first; s != last; ++s) {
-        if (!s->is_inlier) continue;
-        Accumulate(camera, camera_from_local[s->view], *s, in_local, equations);
+      for (int i = offsets[point]; i < offsets[point + 1]; ++i) {
+        const Bundle::Sighting& sighting = bundle.sightings[i];
+        if (!sighting.is_inlier) continue;
+        Accumulate(camera, camera_from_local[sighting.view], sighting, in_local, equations);
       }
       return equations;
     };
-    if (!is_adjusted[point]) {
-      Eigen::Vector3d& in_local = bundle.points[point].in_local;
-      in_local = MinimizeLevenbergMarquardt<3>(in_local, build, plus, kMaxIterations).state;
-    }
-    first = last;
+    Eigen::Vector3d& in_local = bundle.points[point].in_local;
+    in_local = MinimizeLevenbergMarquardt<3>(in_local, build, plus, kMaxIterations).state;
   }
 }
 

@@ -4,20 +4,8 @@
 #include <numeric>
 
 namespace corvo {
-namespace {
-
-/// Sightings of point p are those from begin[p] to begin[p + 1] - 1.
-std::vector<int> FindSightings(const Bundle& bundle) {
-  std::vector<int> begin(bundle.points.size() + 1, 0);
-  for (const Bundle::Sighting& sighting : bundle.sightings) ++begin[sighting.point + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  return begin;
-}
-
-}  // namespace
-
 std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
-  const std::vector<int> begin = FindSightings(bundle);
+  const std::vector<int> begin = SightingOffsets(bundle);
   std::vector<int> order(bundle.points.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

@@ -96,8 +96,7 @@ void PrintCosts(const OdometryOptions& options) {
   }
   fmt::print(
       "| cost | keypoints | processor, ms a frame | cv::ORB, ms | ratio | Process, median ms | "
-      "p99, ms "
-      "| p99 / median |\n|---|---|---|---|---|---|---|---|\n");
+      "p99, ms | p99 / median |\n|---|---|---|---|---|---|---|---|\n");
   RunInChildren(tasks, 1, [&](int task, const ChildOutcome& outcome) {
     const auto cost = FromBytes<Cost>(outcome.output);
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f}x | {:.1f} | {:.1f} | {:.2f}x |\n",

@@ -30,6 +30,13 @@ Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& rand
   return map;
 }
 
+/// As MakeDisturbedMap with 14 views of a camera of this k1, where PinholeCamera has none.
+Map MakeDistortedMap(double k1, test::Random& random) {
+  CameraParameters true_camera = test::PinholeCamera().parameters();
+  true_camera.k1 = k1;
+  return MakeDisturbedMap(14, Camera(true_camera), random);
+}
+
 OdometryOptions FixedCamera() {
   OdometryOptions options;
   options.calibration.enabled = false;
@@ -78,9 +85,7 @@ TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
 
 TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
   test::Random random(4);
-  CameraParameters true_camera = test::PinholeCamera().parameters();
-  true_camera.k1 = 0.04;
-  Map map = MakeDisturbedMap(14, Camera(true_camera), random);
+  Map map = MakeDistortedMap(0.04, random);
   MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
   adjuster.Start(map, test::MakeNoise(), 0);
   EXPECT_EQ(adjuster.camera().parameters().k1, 0);
@@ -92,9 +97,7 @@ TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
 
 TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   test::Random random(5);
-  CameraParameters true_camera = test::PinholeCamera().parameters();
-  true_camera.k1 = 0.3;
-  Map map = MakeDisturbedMap(14, Camera(true_camera), random);
+  Map map = MakeDistortedMap(0.3, random);
   MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
   adjuster.Start(map, test::MakeNoise(), 0);
   adjuster.Finish(map, kEnd);
