@@ -7,23 +7,48 @@
 
 namespace corvo {
 
+namespace {
+
+/// The field that shows a parameter: of "focal", which changes fx and fy alike, it is fx.
+std::string FieldOf(const FreeParameter& parameter) {
+  return parameter.name == "focal" ? "fx" : parameter.name;
+}
+
+double ValueOf(const CameraParameters& camera, const std::string& field) {
+  double found = 0;
+  CameraParameters::Visit(camera, [&](const char* name, const auto& value, auto&&...) {
+    if (field == name) found = static_cast<double>(value);
+  });
+  return found;
+}
+
+CalibrationReport::Estimate ReportParameter(const CameraPrior& prior,
+                                            const CameraParameters& camera, int i, double sigma) {
+  const FreeParameter& parameter = prior.free[i];
+  const std::string field = FieldOf(parameter);
+  CalibrationReport::Estimate estimate{field, ValueOf(prior.given, field), ValueOf(camera, field),
+                                       sigma, 1 - std::pow(sigma / parameter.sigma, 2)};
+  if (parameter.name == "focal") estimate.sigma *= camera.fx;
+  return estimate;
+}
+
+}  // namespace
+
 CalibrationReport ReportCalibration(const Odometry& odometry,
                                     const std::optional<Refinement>& refinement) {
-  const CameraParameters& given = odometry.given_camera();
-  const CalibrationOptions& options = odometry.options().calibration;
-  if (!options.enabled || !IsCalibrated(given.model)) return {};
+  const CameraPrior& prior = odometry.camera_prior();
   const bool is_refined = refinement && refinement->adjustment.covariance.rows() > 0;
-  const CameraParameters& camera =
-      is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
-  Eigen::Vector3d variances = odometry.calibration().covariance.diagonal();
-  if (is_refined) variances = refinement->adjustment.covariance.diagonal();
-  const Eigen::Vector3d sigmas = variances.cwiseSqrt();
-  const Eigen::Vector3d shares = 1 - sigmas.cwiseQuotient(PriorSigmas(options)).array().square();
   CalibrationReport report;
-  report.estimates = {{"fx", given.fx, camera.fx, camera.fx * sigmas[0], shares[0]},
-                      {"k1", given.k1, camera.k1, sigmas[1], shares[1]},
-                      {"k2", given.k2, camera.k2, sigmas[2], shares[2]}};
   report.contradicts_given = odometry.contradicts_given_camera();
+  report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
+  const Eigen::VectorXd sigmas =
+      (is_refined ? refinement->adjustment.covariance : odometry.camera_estimate().covariance)
+          .diagonal()
+          .cwiseSqrt();
+  for (int i = 0; i < prior.num_free(); ++i) {
+    report.sigma.push_back({prior.free[i].name, sigmas[i]});
+    report.estimates.push_back(ReportParameter(prior, report.camera, i, sigmas[i]));
+  }
   return report;
 }
 

@@ -15,7 +15,7 @@ namespace corvo {
 struct CalibrationReport {
   /// One number of a camera.
   struct Estimate {
-    const char* name;
+    std::string name;
     double given;
     double value;
     double sigma;
@@ -24,6 +24,8 @@ struct CalibrationReport {
 
   std::vector<Estimate> estimates;  ///< Empty where the camera is not estimated.
   bool contradicts_given = false;   ///< As Odometry::contradicts_given_camera().
+  CameraParameters camera;
+  std::vector<FreeParameter> sigma;  ///< As camera files have it.
 };
 
 /// By the refinement, where there is one that lowered the cost.

@@ -1,5 +1,6 @@
 #include "apps/run.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -58,12 +59,16 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
 }
 
 /// Adjusts what was recorded as a whole, under a bar of its own.
-void RefineRecord(RunRecord& record) {
+void RefineRecord(const std::function<bool()>& is_interrupted, RunRecord& record) {
   ProgressLine line;
   record.refinement = Refine(
       record.odometry, [&](const SightingsSink& visit) { record.sightings->ForEach(visit); }, {},
-      [&line](double share) { line.Show(share, "refining"); });
+      [&](double share) {
+        line.Show(share, "refining");
+        return !is_interrupted();
+      });
   record.trajectory = record.refinement->trajectory;
+  record.is_interrupted = is_interrupted();
 }
 
 RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
@@ -72,6 +77,9 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
   ProgressReport progress(inputs.source.size().value_or(0));
   TrackPictures pictures(arguments.pictures);
   Stopwatch watch;
+  const auto is_interrupted = [&] {
+    return interruption.IsRequested() && !inputs.source.is_live();
+  };
   while (const std::optional<TimedImage> next = inputs.source.Next()) {
     FrameTiming timing;
     timing.read_ms = watch.LapMs();
@@ -83,11 +91,11 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
     progress.Add(frame);
     watch.LapMs();
     if (!interruption.IsRequested()) continue;
-    record.is_interrupted = !inputs.source.is_live();
+    record.is_interrupted = is_interrupted();
     break;
   }
   record.trajectory = record.odometry.Finish();
-  if (arguments.refine && !record.is_interrupted) RefineRecord(record);
+  if (arguments.refine && !record.is_interrupted) RefineRecord(is_interrupted, record);
   record.trajectory = Scale(arguments.metres_per_unit.value_or(1), std::move(record.trajectory));
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
@@ -132,6 +140,12 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--refine", arguments->refine,
                     "after the last image adjust the whole sequence, and write the trajectory that "
                     "comes of it");
+  command
+      ->add_option(
+          "--calibration", arguments->calibration,
+          "estimate: the camera is known to within its standard deviations, and estimated; fixed: "
+          "it is exactly as given (default: as calibration.enabled of --config says)")
+      ->check(CLI::IsMember({"estimate", "fixed"}));
   command->add_option("--threads", arguments->threads, "threads; never changes the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

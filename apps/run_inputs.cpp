@@ -20,7 +20,7 @@ constexpr double kDefaultFrameRateHz = 30.0;
 std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
   if (arguments.camera.empty()) return std::nullopt;
   if (arguments.camera.extension() != ".txt") return ReadCameraFile(arguments.camera);
-  return CameraFile{Camera(ReadTumMonoCamera(arguments.camera)), {}, ""};
+  return CameraFile{Camera(ReadTumMonoCamera(arguments.camera)), {}, "", {}};
 }
 
 double DefaultFrameRate(const std::optional<CameraFile>& file) {
@@ -56,6 +56,15 @@ RunTruth ReadTruth(const RunArguments& arguments, const ImageList& list) {
   if (truth.has_times()) return {arguments.truth, truth.poses()};
   throw Error(fmt::format("{}: KITTI format has no times; a {} needs a truth in TUM format",
                           arguments.truth.string(), list.layout));
+}
+
+OdometryOptions ReadRunOptions(const RunArguments& arguments) {
+  OdometryOptions options;
+  if (!arguments.config.empty()) options = ReadOptions(arguments.config);
+  if (!arguments.calibration.empty()) {
+    options.calibration.enabled = arguments.calibration == "estimate";
+  }
+  return options;
 }
 
 }  // namespace
@@ -98,15 +107,15 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
 }
 
 RunInputs ReadInputs(const RunArguments& arguments) {
-  const OdometryOptions options =
-      arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
+  const OdometryOptions options = ReadRunOptions(arguments);
   const std::optional<CameraFile> named = ReadNamedCamera(arguments);
   ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   DefaultFrameRate(named), arguments.selection);
   const TimedImage& first = source.First();
   if (!named && !source.list().camera) ThrowNoCamera(arguments, first.image.size());
-  const Camera camera = named ? named->camera : Camera(*source.list().camera);
-  const cv::Size size(camera.width(), camera.height());
+  const CameraPrior camera = named ? named->Prior(options.calibration)
+                                   : MakePrior(*source.list().camera, options.calibration);
+  const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
   const MaskSource masks =
       arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);

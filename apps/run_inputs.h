@@ -8,7 +8,7 @@
 
 #include "apps/image_source.h"
 #include "apps/run_truth.h"
-#include "vo/camera.h"
+#include "vo/camera_prior.h"
 #include "vo/options.h"
 
 namespace corvo {
@@ -28,13 +28,15 @@ struct RunArguments {
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty: not asked for.
   int threads = 1;
-  bool refine = false;  ///< After the last frame.
+  bool refine = false;      ///< After the last frame.
+  std::string calibration;  ///< "estimate" or "fixed"; empty: as the options say.
 };
 
 /// Everything a run reads but the pictures.
 struct RunInputs {
   OdometryOptions options;
-  Camera camera;  ///< Of the pictures as `source` hands them out: resized, if that was asked for.
+  CameraPrior
+      camera;  ///< Of the pictures as `source` hands them out: resized, if that was asked for.
   ImageSource source;
   RunTruth truth;
 };

@@ -68,9 +68,11 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
   output.Write("timing.csv", TimingTable(record.timings));
 }
 
-Camera EstimatedCamera(const RunRecord& record) {
-  if (record.is_refined()) return Camera(record.refinement->adjustment.camera);
-  return record.odometry.camera();
+/// Without sigmas where they do not hold: the pictures contradict them.
+CameraFile EstimatedCamera(const CalibrationReport& calibration) {
+  CameraFile file{Camera(calibration.camera), {}, "estimated by corvo run", {}};
+  if (!calibration.contradicts_given) file.sigma = calibration.sigma;
+  return file;
 }
 
 void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
@@ -85,8 +87,7 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
-  output.Write("camera_estimated.yaml",
-               WriteCameraFile({EstimatedCamera(record), {}, "estimated by corvo run"}));
+  output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
   const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);

@@ -148,7 +148,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["layout"] = inputs.source.list().layout;
   AddInputJson(arguments, json);
   json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
-  json["camera"] = CameraJson(inputs.camera.parameters());
+  json["camera"] = CameraJson(inputs.camera.given);
   json["calibration"] = ToJson(summary.calibration);
   if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
   json["frames"] = summary.num_frames;

@@ -3,17 +3,16 @@
 #include <optional>
 
 #include "vo/bundle.h"
-#include "vo/calibration.h"
+#include "vo/camera_prior.h"
 #include "vo/options.h"
 
 namespace corvo {
 
-/// As AdjustBundle, but the camera is adjusted too: the given one, known to the sigmas in
-/// `options`, from `start` on. Returns the calibration with its covariance (poses and points
-/// marginalised), or none, and the bundle as it was, where the solver fails. Deterministic.
-std::optional<CalibrationEstimate> CalibrateBundle(const CameraParameters& given,
-                                                   const Calibration& start,
-                                                   const CalibrationOptions& options,
-                                                   Bundle& bundle);
+/// As AdjustBundle, but the camera is adjusted too: known as `prior` says, from the difference
+/// `start` on. Returns its difference with the covariance (poses and points marginalised), or none,
+/// and the bundle as it was, where the solver fails. At least one parameter is free. Deterministic.
+std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
+                                              const Eigen::VectorXd& start,
+                                              const CalibrationOptions& options, Bundle& bundle);
 
 }  // namespace corvo

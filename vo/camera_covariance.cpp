@@ -110,8 +110,7 @@ class ReducedInformation {
 
 Eigen::MatrixXd InformationOf(const Bundle& bundle, const DifferentiableCamera& adjusted,
                               int num_free) {
-  std::vector<SE3> camera_from_local;
-  for (const Bundle::View& view : bundle.views) camera_from_local.push_back(view.Pose().Inverse());
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
   ReducedInformation information(static_cast<int>(bundle.views.size()), num_free);
   std::vector<Linearized> of_point;
   for (std::size_t i = 0; i < bundle.sightings.size(); ++i) {

@@ -1,9 +1,12 @@
 #include "vo/camera_prior.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <type_traits>
 
 #include "orb/error.h"
+#include "vo/camera.h"
 
 namespace corvo {
 namespace {
@@ -22,12 +25,28 @@ auto FindField(Parameters& camera, const std::string& name) -> decltype(&camera.
   return found;
 }
 
+/// 99.9% quantiles of the χ² distribution with 0, 1, 2, ... degrees of freedom.
+constexpr double kChiSquare999[] = {0,      10.828, 13.816, 16.266, 18.467, 20.515, 22.458,
+                                    24.322, 26.124, 27.877, 29.588, 31.264, 32.909};
+
 std::vector<std::string> FieldsOf(const std::string& name) {
   if (name == kFocal) return {"fx", "fy"};
   return {name};
 }
 
 }  // namespace
+
+std::vector<std::string> FreeParameterNames(CameraModel model) {
+  std::vector<std::string> names = {kFocal};
+  CameraParameters parameters;
+  parameters.model = model;
+  CameraParameters::Visit(parameters, [&](const char* name, auto& value, auto&&...) {
+    if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(value)>>) {
+      names.emplace_back(name);
+    }
+  });
+  return names;
+}
 
 void CameraPrior::Validate() const {
   given.Validate();
@@ -76,6 +95,35 @@ double CameraPrior::SquaredError(const Eigen::VectorXd& difference) const {
   double sum = 0;
   for (int i = 0; i < num_free(); ++i) sum += std::pow(difference[i] / free[i].sigma, 2);
   return sum;
+}
+
+bool CameraPrior::Allows(const Eigen::VectorXd& difference) const {
+  const auto num_known =
+      std::count_if(free.begin(), free.end(),
+                    [](const FreeParameter& parameter) { return std::isfinite(parameter.sigma); });
+  return SquaredError(difference) <= kChiSquare999[num_known];
+}
+
+CameraPrior CameraPrior::Resized(int width, int height) const {
+  CameraPrior resized{Camera(given).Resized(width, height).parameters(), free};
+  for (FreeParameter& parameter : resized.free) {
+    const std::string& name = parameter.name;
+    if (name == "fx" || name == "cx") parameter.sigma *= resized.given.fx / given.fx;
+    if (name == "fy" || name == "cy") parameter.sigma *= resized.given.fy / given.fy;
+  }
+  return resized;
+}
+
+CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options) {
+  if (given.model != CameraModel::kPinhole) return {given, {}};
+  return {given,
+          {{kFocal, options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
+}
+
+CameraEstimate PriorEstimate(const CameraPrior& prior) {
+  Eigen::VectorXd variances(prior.num_free());
+  for (int i = 0; i < prior.num_free(); ++i) variances[i] = std::pow(prior.free[i].sigma, 2);
+  return {Eigen::VectorXd::Zero(prior.num_free()), variances.asDiagonal()};
 }
 
 }  // namespace corvo

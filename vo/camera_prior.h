@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "vo/camera_parameters.h"
+#include "vo/options.h"
 
 namespace corvo {
 
@@ -18,10 +19,16 @@ struct FreeParameter {
   /// Standard deviation of the given value, in its own unit (focal: as a share of it); infinity:
   /// nothing is known.
   double sigma = std::numeric_limits<double>::infinity();
+
+  bool operator==(const FreeParameter&) const = default;
 };
 
-/// A camera that is given, and what of it is not known exactly. Every other camera is told by its
-/// difference d from it, one number a free parameter, in their order:
+/// Names of what may be free: "focal" and every parameter of the model.
+std::vector<std::string> FreeParameterNames(CameraModel model);
+
+/// A camera that is given, and what of it is not known exactly: a calibration is a measurement.
+/// Every other camera is told by its difference d from it, one number a free parameter, in their
+/// order:
 ///
 ///     focal: fx = exp(d) fx_given, fy = exp(d) fy_given          any other: value = given + d
 struct CameraPrior {
@@ -40,6 +47,29 @@ struct CameraPrior {
   Eigen::VectorXd Difference(const CameraParameters& camera) const;
   /// χ² of a difference: the sum of (d / sigma)².
   double SquaredError(const Eigen::VectorXd& difference) const;
+  /// Whether a difference is one that the sigmas allow: its χ² lies under the 99.9% quantile. If
+  /// not, the camera is not the one that was given, and what is left over of the error has been
+  /// pressed into parameters that cannot express it.
+  bool Allows(const Eigen::VectorXd& difference) const;
+
+  /// The prior of the same pictures resized, see Camera::Resized.
+  CameraPrior Resized(int width, int height) const;
+
+  bool operator==(const CameraPrior&) const = default;
 };
+
+/// A camera of which no sigmas are given: free are the focal length and, as a measured camera keeps
+/// a residual distortion, which bends the scale of a map wherever the camera turns, k1 and k2; of
+/// the pinhole model only. Its principal point is not told from a turn of the camera, and stays.
+CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options);
+
+/// What is known of a camera: its difference from what was given, and how surely.
+struct CameraEstimate {
+  Eigen::VectorXd difference;
+  Eigen::MatrixXd covariance;
+};
+
+/// What is known before the first picture.
+CameraEstimate PriorEstimate(const CameraPrior& prior);
 
 }  // namespace corvo

@@ -300,7 +300,48 @@ std::optional<double> ReadFrameRate(const Section& section) {
   return frame_rate_hz;
 }
 
+constexpr const char* kSigma = "sigma";
+constexpr double kMinSigma = 1e-12;
+constexpr double kMaxSigma = 1e6;
+
+std::optional<std::vector<FreeParameter>> ReadSigma(const Section& root,
+                                                    const CameraParameters& parameters) {
+  const YAML::Node node = root.Find(kSigma);
+  if (!node.IsDefined()) return std::nullopt;
+  const Section section(root.file(), kSigma, node);
+  const std::vector<std::string> names = FreeParameterNames(parameters.model);
+  section.CheckKeys(names);
+  CameraPrior prior{parameters, {}};
+  for (const std::string& name : names) {
+    if (!section.Find(name).IsDefined()) continue;
+    prior.free.push_back({name, 0});
+    FieldReader{section}(name.c_str(), prior.free.back().sigma, kMinSigma, kMaxSigma, "");
+  }
+  try {
+    prior.Validate();
+  } catch (const Error& error) {
+    throw Error(root.Start(kSigma) + ": " + error.what());
+  }
+  return prior.free;
+}
+
+std::string SigmaText(const std::vector<FreeParameter>& sigma) {
+  std::string text =
+      "# standard deviations of what is not known exactly; focal: as a share\nsigma:";
+  if (sigma.empty()) return text + " {}\n";
+  text += "\n";
+  for (const FreeParameter& parameter : sigma) {
+    text += fmt::format("  {}: {}\n", parameter.name, parameter.sigma);
+  }
+  return text;
+}
+
 }  // namespace
+
+CameraPrior CameraFile::Prior(const CalibrationOptions& options) const {
+  if (!sigma) return MakePrior(camera.parameters(), options);
+  return {camera.parameters(), *sigma};
+}
 
 OdometryOptions ReadOptions(const fs::path& file) {
   OdometryOptions options;
@@ -333,13 +374,14 @@ std::string WriteOptions(const OdometryOptions& options) {
 CameraFile ReadCameraFile(const fs::path& file) {
   CameraParameters parameters;
   const Section root(file, "", Load(file));
-  std::vector<std::string> known = {"model", "frame_rate_hz", "source"};
+  std::vector<std::string> known = {"model", "frame_rate_hz", "source", kSigma};
   CameraParameters::VisitAll(parameters, NameCollector{known});
   root.CheckKeys(known);
   parameters.model = ReadModel(root);
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy"}) root.Require(key);
   CameraParameters::VisitAll(parameters, FieldReader(root));
-  return {MakeCamera(parameters, file), ReadFrameRate(root), ReadText(root, "source")};
+  return {MakeCamera(parameters, file), ReadFrameRate(root), ReadText(root, "source"),
+          ReadSigma(root, parameters)};
 }
 
 std::string WriteCameraFile(const CameraFile& camera_file) {
@@ -351,6 +393,7 @@ std::string WriteCameraFile(const CameraFile& camera_file) {
     FieldWriter("", text)("frame_rate_hz", *camera_file.frame_rate_hz, kMinFrameRateHz,
                           kMaxFrameRateHz, "pictures a second");
   }
+  if (camera_file.sigma) text += SigmaText(*camera_file.sigma);
   return text;
 }
 

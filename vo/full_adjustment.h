@@ -10,6 +10,9 @@
 
 namespace corvo {
 
+/// Is told the share done, 0 to 1, after each iteration; returns whether to go on.
+using AdjustmentProgress = std::function<bool(double)>;
+
 struct FullAdjustmentOptions {
   int max_iterations = 30;  ///< Of either round.
 };
@@ -17,7 +20,7 @@ struct FullAdjustmentOptions {
 enum class AdjustmentOutcome {
   kLowered,       ///< The robust cost is lower than before.
   kNoSightings,   ///< There is nothing to adjust.
-  kSolverFailed,  ///< No solution, or one that is no camera's.
+  kSolverFailed,  ///< No solution, or one that is no camera's; or it was stopped.
   kNotLowered,    ///< The robust cost would be as high as before, or higher.
 };
 
@@ -44,16 +47,15 @@ struct FullAdjustment {
 /// sparse algebra beyond. Each bundle's gauge: its held views; with fewer than two of them the
 /// oldest view stays where it is, and the farthest keeps its distance from it. Afterwards sightings
 /// over the 95% quantile are marked as outliers. Unless the outcome is kLowered the bundles are as
-/// they were. `progress` gets the share done, 0 to 1, after each iteration. Deterministic. Throws
+/// they were. Deterministic. Throws
 /// corvo::Error on a prior that is not valid, and on a start that is no camera.
 FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& start,
                            const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,
-                           const std::function<void(double)>& progress = {});
+                           const AdjustmentProgress& progress = {});
 
-/// What is left of a bundle when of every view only about so many points are kept, so that an
-/// adjustment's size grows with the views alone: points seen by the most views first (of equals,
-/// the first), each is kept unless all views that see it have `max_points` already; points seen by
-/// fewer than two views go.
+/// What is left of a bundle when of every view only about so many points are kept, see
+/// SelectPoints, so that an adjustment's size grows with the views alone; points seen by fewer than
+/// two views go.
 Bundle ThinPoints(const Bundle& bundle, int max_points);
 
 }  // namespace corvo

@@ -19,11 +19,12 @@ int CountKept(const Map& map, int segment) {
 
 }  // namespace
 
-MapAdjuster::MapAdjuster(const CameraParameters& given, const OdometryOptions& options)
-    : given_(given),
-      camera_(given),
-      options_(options),
-      estimate_(PriorEstimate(options.calibration)) {}
+MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& options)
+    : prior_(prior), camera_(prior.given), options_(options) {
+  prior_.Validate();
+  if (!options.calibration.enabled) prior_.free.clear();
+  estimate_ = PriorEstimate(prior_);
+}
 
 void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
   constexpr int kFramesBeside = 3;
@@ -47,8 +48,7 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
 
 bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
   constexpr int kMinKeyframes = 8;
-  if (!options_.calibration.enabled) return false;
-  if (!IsCalibrated(given_.model) || calibration_.result.valid()) return false;
+  if (prior_.num_free() == 0 || calibration_.result.valid()) return false;
   return num_keyframes >= std::max(kMinKeyframes, num_calibrated_ * 3 / 2);
 }
 
@@ -59,23 +59,22 @@ void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, i
       map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
   calibration_.result = std::async(
       std::launch::async,
-      [given = given_, start = estimate_.calibration, options = options_](const Bundle& bundle) {
-        return Calibrate(given, start, options, bundle);
+      [prior = prior_, start = estimate_.difference, options = options_](const Bundle& bundle) {
+        return Calibrate(prior, start, options, bundle);
       },
       CopyBundle(map, window, noise));
 }
 
 /// Adjusts the camera too, if it stays within its prior.
-MapAdjuster::Calibrated MapAdjuster::Calibrate(const CameraParameters& given,
-                                               const Calibration& start,
+MapAdjuster::Calibrated MapAdjuster::Calibrate(const CameraPrior& prior,
+                                               const Eigen::VectorXd& start,
                                                const OdometryOptions& options,
                                                const Bundle& bundle) {
   Calibrated result{bundle, std::nullopt, false};
-  result.calibration = CalibrateBundle(given, start, options.calibration, result.bundle);
-  if (!result.calibration) return result;
-  if (IsWithinPrior(result.calibration->calibration, options.calibration)) return result;
-  result = {bundle, PriorEstimate(options.calibration), true};
-  AdjustBundle(Camera(given), options.bundle_adjuster, result.bundle);
+  result.estimate = CalibrateBundle(prior, start, options.calibration, result.bundle);
+  if (!result.estimate || prior.Allows(result.estimate->difference)) return result;
+  result = {bundle, PriorEstimate(prior), true};
+  AdjustBundle(Camera(prior.given), options.bundle_adjuster, result.bundle);
   return result;
 }
 
@@ -93,9 +92,9 @@ void MapAdjuster::FinishCalibration(Map& map) {
   WriteBack(result.bundle, map);
   newest_ = kNoId;  // What is newer is to be adjusted to it.
   contradicts_prior_ = result.contradicts_prior;
-  if (!result.calibration) return;
-  estimate_ = *result.calibration;
-  camera_ = Camera(ApplyCalibration(given_, estimate_.calibration));
+  if (!result.estimate) return;
+  estimate_ = *result.estimate;
+  camera_ = Camera(prior_.Apply(estimate_.difference));
   map.UpdateRays(camera_);
 }
 

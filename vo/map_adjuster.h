@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "vo/bundle.h"
-#include "vo/calibration.h"
 #include "vo/camera.h"
+#include "vo/camera_prior.h"
 #include "vo/conventions.h"
 #include "vo/keypoint_noise.h"
 #include "vo/map.h"
@@ -19,8 +19,8 @@ namespace corvo {
 /// same frames find the same map.
 class MapAdjuster {
  public:
-  /// The camera and how surely it is known are in `given` and `options`.
-  MapAdjuster(const CameraParameters& given, const OdometryOptions& options);
+  /// Throws corvo::Error on a prior that is not valid.
+  MapAdjuster(const CameraPrior& prior, const OdometryOptions& options);
 
   /// Begins to adjust around the newest keyframe, after a frame, if that has not been begun and the
   /// result of the adjustment before has been taken.
@@ -32,15 +32,15 @@ class MapAdjuster {
 
   /// The camera as it is known now.
   const Camera& camera() const { return camera_; }
-  const CalibrationEstimate& calibration() const { return estimate_; }
-  const CameraParameters& given_camera() const { return given_; }
+  const CameraEstimate& camera_estimate() const { return estimate_; }
+  const CameraPrior& camera_prior() const { return prior_; }
   /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
   bool contradicts_given_camera() const { return contradicts_prior_; }
 
  private:
   struct Calibrated {
     Bundle bundle;
-    std::optional<CalibrationEstimate> calibration;
+    std::optional<CameraEstimate> estimate;
     bool contradicts_prior = false;
   };
 
@@ -53,20 +53,20 @@ class MapAdjuster {
     bool IsDue(int frame) const { return result.valid() && frame >= due_frame; }
   };
 
-  static Calibrated Calibrate(const CameraParameters& given, const Calibration& start,
+  static Calibrated Calibrate(const CameraPrior& prior, const Eigen::VectorXd& start,
                               const OdometryOptions& options, const Bundle& bundle);
 
   bool IsCalibrationDue(int num_keyframes) const;
   void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
   void FinishCalibration(Map& map);
 
-  CameraParameters given_;
+  CameraPrior prior_;
   Camera camera_;  // As it is known now.
   OdometryOptions options_;
   Adjustment<Bundle> window_;
   Adjustment<Calibrated> calibration_;
   KeyframeId newest_ = kNoId;  // Whose window was adjusted last, with the camera as it is now.
-  CalibrationEstimate estimate_;
+  CameraEstimate estimate_;
   int num_calibrated_ = 0;  // Keyframes that told estimate_, or are about to.
   bool contradicts_prior_ = false;
 };

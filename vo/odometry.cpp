@@ -57,13 +57,16 @@ int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
 }  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
+    : Odometry(MakePrior(camera.parameters(), options.calibration), options, threads) {}
+
+Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int threads)
     : options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
       noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
              extractor_.octave_scales()},
-      initializer_(options.initializer, noise_, camera),
-      adjuster_(camera.parameters(), options) {}
+      initializer_(options.initializer, noise_, Camera(prior.given)),
+      adjuster_(prior, options) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
@@ -79,7 +82,7 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 void Odometry::Reset() {
   LandmarkSink landmark_sink = std::move(landmark_sink_);
   SightingsSink sightings_sink = std::move(sightings_sink_);
-  *this = Odometry(Camera(given_camera()), options_, threads_);
+  *this = Odometry(camera_prior(), options_, threads_);
   landmark_sink_ = std::move(landmark_sink);
   sightings_sink_ = std::move(sightings_sink);
 }
@@ -181,9 +184,9 @@ void Odometry::FinishMapping() {
 
 void Odometry::TakeAdjustments(int frame) {
   const StageTimer timer(times_.adjust_ms);
-  const Calibration before = adjuster_.calibration().calibration;
+  const Camera before = camera();
   if (!adjuster_.Finish(map_, frame)) return;
-  if (adjuster_.calibration().calibration != before) {
+  if (camera() != before) {
     initializer_.SetCamera(camera());
     UpdateRays(camera(), previous_);
   }

@@ -7,8 +7,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "orb/extractor.h"
-#include "vo/calibration.h"
 #include "vo/camera.h"
+#include "vo/camera_prior.h"
 #include "vo/conventions.h"
 #include "vo/frame.h"
 #include "vo/frame_records.h"
@@ -48,6 +48,10 @@ class Odometry {
   /// `threads` share the work of a frame; the map is adjusted by one more, beside the frames that
   /// follow. Throws corvo::Error on options out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
+
+  /// A camera known as `prior` says, where that is not what MakePrior assumes. Throws corvo::Error
+  /// also on a prior that is not valid.
+  explicit Odometry(const CameraPrior& prior, const OdometryOptions& options = {}, int threads = 1);
 
   /// `image` is 8-bit grey, of the camera's size; `time_ns` lies after the frame before; `mask`
   /// is empty or of the image's size, 8-bit: features are found where it is not 0. Throws
@@ -89,8 +93,9 @@ class Odometry {
   /// As it was given, or as it is estimated meanwhile.
   const Camera& camera() const { return adjuster_.camera(); }
   /// How far that is from what was given, and how surely.
-  const CalibrationEstimate& calibration() const { return adjuster_.calibration(); }
-  const CameraParameters& given_camera() const { return adjuster_.given_camera(); }
+  const CameraEstimate& camera_estimate() const { return adjuster_.camera_estimate(); }
+  /// What was given; nothing is free where `calibration.enabled` is false.
+  const CameraPrior& camera_prior() const { return adjuster_.camera_prior(); }
   /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
   bool contradicts_given_camera() const { return adjuster_.contradicts_given_camera(); }
   const OdometryOptions& options() const { return options_; }

@@ -282,15 +282,13 @@ void PlaceFrames(const SequenceRecord& record, const RefinedMap& refined, const 
 }  // namespace
 
 CameraPrior PriorOf(const Odometry& odometry) {
-  const CalibrationOptions& options = odometry.options().calibration;
-  const CameraParameters& given = odometry.given_camera();
-  const bool is_estimated = options.enabled && IsCalibrated(given.model);
-  if (!is_estimated || odometry.contradicts_given_camera()) return {given, {}};
-  return MakePrior(given, options);
+  CameraPrior prior = odometry.camera_prior();
+  if (odometry.contradicts_given_camera()) prior.free.clear();
+  return prior;
 }
 
 Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
-                  const RefinerOptions& options, const std::function<void(double)>& progress) {
+                  const RefinerOptions& options, const AdjustmentProgress& progress) {
   const SequenceRecord record(odometry, sightings, options);
   std::vector<Bundle> bundles;
   for (const auto& [segment, bundle] : MakeBundles(record)) {

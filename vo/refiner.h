@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "vo/frame_sightings.h"
@@ -36,11 +35,10 @@ struct Refinement {
 /// that the odometry takes as exact stays. Then every other posed frame is placed again, see
 /// OptimizePose; where too few landmarks agree it moves with the adjusted frame before it. Frames
 /// without a pose stay as they are. The size of the adjustment grows with the number of keyframes
-/// alone. `sightings` gives what the odometry gave to its sink, as often as it is asked; `progress`
-/// gets the share done, 0 to 1. Deterministic.
+/// alone. `sightings` gives what the odometry gave to its sink, as often as it is asked.
+/// Deterministic.
 Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
-                  const RefinerOptions& options = {},
-                  const std::function<void(double)>& progress = {});
+                  const RefinerOptions& options = {}, const AdjustmentProgress& progress = {});
 
 /// How sure an odometry's camera is: nothing is free where it is taken as it was given.
 CameraPrior PriorOf(const Odometry& odometry);

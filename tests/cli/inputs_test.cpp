@@ -336,12 +336,12 @@ class PreparedInputs : public testing::Test {
 TEST_F(PreparedInputs, ResizeScalesTheCameraWithThePictures) {
   arguments_.resize = "48x16";
   RunInputs inputs = ReadInputs(arguments_);
-  EXPECT_EQ(inputs.camera.width(), 48);
-  EXPECT_EQ(inputs.camera.height(), 16);
-  EXPECT_EQ(inputs.camera.fx(), 40);
-  EXPECT_EQ(inputs.camera.fy(), 20.25);
-  EXPECT_EQ(inputs.camera.cx(), 23.25);  // (47 + 0.5) / 2 - 0.5
-  EXPECT_EQ(inputs.camera.cy(), 7.375);  // (31 + 0.5) / 4 - 0.5
+  EXPECT_EQ(inputs.camera.given.width, 48);
+  EXPECT_EQ(inputs.camera.given.height, 16);
+  EXPECT_EQ(inputs.camera.given.fx, 40);
+  EXPECT_EQ(inputs.camera.given.fy, 20.25);
+  EXPECT_EQ(inputs.camera.given.cx, 23.25);  // (47 + 0.5) / 2 - 0.5
+  EXPECT_EQ(inputs.camera.given.cy, 7.375);  // (31 + 0.5) / 4 - 0.5
   const cv::Mat image = inputs.source.Next()->image;
   ASSERT_EQ(image.size(), cv::Size(48, 16));
   const cv::Mat block = TinyImage(0)(cv::Rect(2 * 10, 4 * 5, 2, 4));
@@ -399,7 +399,7 @@ TEST_F(PreparedInputs, NamesAMaskOfAnotherSize) {
 TEST_F(PreparedInputs, TakeTheCameraOfTumMono) {
   WriteText(folder_ / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n96 64\n");
   arguments_.camera = folder_ / "camera.txt";
-  EXPECT_EQ(ReadInputs(arguments_).camera.parameters(), ReadTumMonoCamera(folder_ / "camera.txt"));
+  EXPECT_EQ(ReadInputs(arguments_).camera.given, ReadTumMonoCamera(folder_ / "camera.txt"));
 }
 
 TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {

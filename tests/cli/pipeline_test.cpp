@@ -7,6 +7,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "vo/config.h"
 #include "vo/trajectory_io.h"
 
 namespace corvo::test {
@@ -118,6 +119,29 @@ TEST_F(Pipeline, WritesMetresAndDraws) {
   EXPECT_EQ(summary["metres_per_unit"], 4.0);
   const fs::path pictures = *folder_ / "tracks";
   EXPECT_EQ(std::distance(fs::directory_iterator(pictures), fs::directory_iterator()), kFrames);
+}
+
+TEST_F(Pipeline, WritesTheCameraThatItFoundAndHowSurely) {
+  const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+  const CameraFile found = ReadCameraFile(Result() / "camera_estimated.yaml");
+  ASSERT_TRUE(found.sigma);
+  ASSERT_EQ(found.sigma->size(), 3);
+  EXPECT_EQ(found.sigma->front().name, "focal");
+  EXPECT_EQ(found.camera.parameters().k1, summary["calibration"]["k1"]["value"]);
+  EXPECT_EQ(found.sigma->at(1), (FreeParameter{"k1", summary["calibration"]["k1"]["sigma"]}));
+  EXPECT_LT(found.sigma->at(1).sigma, CalibrationOptions().k1_sigma);
+}
+
+TEST_F(Pipeline, TakesAFixedCameraAsItIs) {
+  const fs::path fixed = *folder_ / "fixed";
+  const CommandResult run = RunOn(Street(), fixed, {"--calibration", "fixed"});
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  const auto summary = nlohmann::json::parse(ReadText(fixed / "summary.json"));
+  EXPECT_TRUE(summary["calibration"].is_null());
+  const CameraFile found = ReadCameraFile(fixed / "camera_estimated.yaml");
+  EXPECT_EQ(found.camera.fx(), summary["camera"]["fx"]);
+  EXPECT_EQ(found.sigma, std::vector<FreeParameter>());
+  EXPECT_EQ(ReadOptions(fixed / "config.yaml").calibration.enabled, false);
 }
 
 TEST_F(Pipeline, RefinesWhatItWrites) {

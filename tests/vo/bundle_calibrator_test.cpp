@@ -46,17 +46,21 @@ Bundle CopyAll(const Map& map) {
   return CopyBundle(map, window, test::MakeNoise(kNoisePx));
 }
 
-CalibrationEstimate Estimate(const Calibration& truth, Path path, const CalibrationOptions& options,
-                             test::Random& random) {
-  const CameraParameters given = test::PinholeCamera().parameters();
-  Bundle bundle = CopyAll(FilmMap(Camera(ApplyCalibration(given, truth)), path, random));
-  const auto estimate = CalibrateBundle(given, Calibration::Zero(), options, bundle);
+CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
+                        test::Random& random) {
+  const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
+  Bundle bundle = CopyAll(FilmMap(Camera(prior.Apply(truth)), path, random));
+  const auto estimate = CalibrateBundle(prior, Eigen::Vector3d::Zero(), options, bundle);
   EXPECT_TRUE(estimate);
-  return estimate.value_or(CalibrationEstimate());
+  return estimate.value_or(PriorEstimate(prior));
 }
 
-double SquaredNormalizedError(const CalibrationEstimate& estimate, const Calibration& truth) {
-  const Calibration error = estimate.calibration - truth;
+Eigen::Vector3d Sigmas(const CalibrationOptions& options) {
+  return {options.focal_sigma, options.k1_sigma, options.k2_sigma};
+}
+
+double SquaredNormalizedError(const CameraEstimate& estimate, const Eigen::Vector3d& truth) {
+  const Eigen::Vector3d error = estimate.difference - truth;
   return error.dot(estimate.covariance.ldlt().solve(error));
 }
 
@@ -73,12 +77,11 @@ TEST(BundleCalibratorTest, ATurningCameraTellsItsDistortionAndHowSurely) {
   constexpr int kRuns = 20;
   double sum = 0;
   for (int run = 0; run < kRuns; ++run) {
-    const Calibration truth =
-        PriorSigmas(options).cwiseProduct(Eigen::Vector3d(random.Vector<3>()));
-    const CalibrationEstimate estimate = Estimate(truth, Path::kTurning, options, random);
+    const Eigen::Vector3d truth = Sigmas(options).cwiseProduct(Eigen::Vector3d(random.Vector<3>()));
+    const CameraEstimate estimate = Estimate(truth, Path::kTurning, options, random);
     EXPECT_LT(std::sqrt(estimate.covariance(1, 1)), 0.2 * options.k1_sigma);
-    EXPECT_NEAR(estimate.calibration[1], truth[1], 4 * std::sqrt(estimate.covariance(1, 1)));
-    EXPECT_NEAR(estimate.calibration[2], truth[2], 4 * std::sqrt(estimate.covariance(2, 2)));
+    EXPECT_NEAR(estimate.difference[1], truth[1], 4 * std::sqrt(estimate.covariance(1, 1)));
+    EXPECT_NEAR(estimate.difference[2], truth[2], 4 * std::sqrt(estimate.covariance(2, 2)));
     sum += SquaredNormalizedError(estimate, truth);
   }
   EXPECT_GT(sum / (3 * kRuns), 0.5);
@@ -89,12 +92,12 @@ TEST(BundleCalibratorTest, WhereTheMotionDoesNotTellThePriorStays) {
   const CalibrationOptions options = LooseOptions();
   test::Random random(2);
   for (const Path path : {Path::kStraight, Path::kTurnInPlace}) {
-    const CalibrationEstimate estimate = Estimate({0, 0, 0}, path, options, random);
-    EXPECT_LT(std::abs(estimate.calibration[0]), options.focal_sigma);
-    EXPECT_LT(std::abs(estimate.calibration[1]), options.k1_sigma);
-    EXPECT_LT(std::abs(estimate.calibration[2]), options.k2_sigma);
+    const CameraEstimate estimate = Estimate({0, 0, 0}, path, options, random);
+    EXPECT_LT(std::abs(estimate.difference[0]), options.focal_sigma);
+    EXPECT_LT(std::abs(estimate.difference[1]), options.k1_sigma);
+    EXPECT_LT(std::abs(estimate.difference[2]), options.k2_sigma);
   }
-  const CalibrationEstimate straight = Estimate({0, 0, 0}, Path::kStraight, options, random);
+  const CameraEstimate straight = Estimate({0, 0, 0}, Path::kStraight, options, random);
   EXPECT_GT(std::sqrt(straight.covariance(0, 0)), 0.8 * options.focal_sigma);
 }
 
@@ -102,8 +105,9 @@ TEST(BundleCalibratorTest, ASurePriorHolds) {
   CalibrationOptions options;
   options.focal_sigma = options.k1_sigma = options.k2_sigma = 1e-6;
   test::Random random(3);
-  const CalibrationEstimate estimate = Estimate({0, 0.02, 0}, Path::kTurning, options, random);
-  EXPECT_THAT(estimate.calibration, test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 1e-5));
+  const CameraEstimate estimate = Estimate({0, 0.02, 0}, Path::kTurning, options, random);
+  EXPECT_THAT(Eigen::Vector3d(estimate.difference),
+              test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 1e-5));
 }
 
 TEST(BundleCalibratorTest, GivesTheSameBitsTwice) {
@@ -111,8 +115,8 @@ TEST(BundleCalibratorTest, GivesTheSameBitsTwice) {
     test::Random random(4);
     return Estimate({0, 0.02, 0}, Path::kTurning, LooseOptions(), random);
   };
-  const CalibrationEstimate first = estimate(), second = estimate();
-  EXPECT_EQ(first.calibration, second.calibration);
+  const CameraEstimate first = estimate(), second = estimate();
+  EXPECT_EQ(first.difference, second.difference);
   EXPECT_EQ(first.covariance, second.covariance);
 }
 

@@ -189,6 +189,32 @@ TEST_F(CameraFileTest, WrittenCamerasReadBackTheSame) {
   }
 }
 
+TEST_F(CameraFileTest, SigmasSayWhatIsNotKnownExactly) {
+  const CameraFile file = Read(std::string(kCamera) + "sigma: {k2: 0.02, focal: 0.003, cx: 1.5}\n");
+  EXPECT_EQ(file.sigma, (std::vector<FreeParameter>{{"focal", 0.003}, {"cx", 1.5}, {"k2", 0.02}}));
+  EXPECT_EQ(file.Prior({}), (CameraPrior{file.camera.parameters(), *file.sigma}));
+  EXPECT_EQ(Read(WriteCameraFile(file)).sigma, file.sigma);
+  const CameraFile exact = Read(std::string(kCamera) + "sigma: {}\n");
+  EXPECT_EQ(exact.Prior({}).num_free(), 0);
+  EXPECT_EQ(Read(WriteCameraFile(exact)).sigma, exact.sigma);
+  const CameraFile unsaid = Read(kCamera);
+  EXPECT_EQ(unsaid.sigma, std::nullopt);
+  EXPECT_EQ(unsaid.Prior({}), MakePrior(unsaid.camera.parameters(), {}));
+}
+
+TEST_F(CameraFileTest, WrongSigmasAreErrors) {
+  const auto expect_error = [&](const std::string& sigma, const std::string& message) {
+    EXPECT_THAT([&] { Read(kCamera + ("sigma: " + sigma) + "\n"); },
+                ThrowsError("cam.yaml:8: sigma" + message));
+  };
+  expect_error("0.01", " must hold \"key: value\" lines");
+  expect_error("{k1: 0}", ".k1 is 0; allowed is 1e-12 to 1e+06");
+  expect_error("{k1: much}", ".k1 is \"much\"; allowed is a number");
+  expect_error("{focal: 0.01, fy: 2}", ": camera prior: fy is free twice");
+  EXPECT_THAT([&] { Read(std::string(kCamera) + "sigma: {omega: 0.1}\n"); },
+              ThrowsError("cam.yaml:8: unknown key sigma.omega"));
+}
+
 TEST_F(CameraFileTest, EveryNeededKeyIsMissedByName) {
   for (const std::string key : {"model", "width", "height", "fx", "fy", "cx", "cy"}) {
     std::string text = kCamera;

@@ -248,14 +248,30 @@ TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
   }
 }
 
+TEST(FullAdjustmentTest, IsStoppedByWhoIsToldOfItsProgress) {
+  test::Random random(12);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 8, kNoisePx, random)};
+  Disturb(bundles[0], 0.02, random);
+  const Bundle before = bundles[0];
+  int num_told = 0;
+  const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles,
+                                            [&](double) { return ++num_told < 3; });
+  EXPECT_EQ(num_told, 3);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kSolverFailed);
+  ExpectUnchanged(bundles[0], before);
+}
+
 TEST(FullAdjustmentTest, TellsHowFarItIs) {
   test::Random random(11);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> bundles{test::Film(camera, 6, kNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   std::vector<double> shares;
-  AdjustFully(Exact(camera), camera.parameters(), {}, bundles,
-              [&](double share) { shares.push_back(share); });
+  AdjustFully(Exact(camera), camera.parameters(), {}, bundles, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
   ASSERT_GT(shares.size(), 3u);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_THAT(shares, Each(Ge(0)));

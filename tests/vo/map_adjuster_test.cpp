@@ -43,11 +43,15 @@ OdometryOptions FixedCamera() {
   return options;
 }
 
+MapAdjuster MakeAdjuster(const OdometryOptions& options) {
+  return {MakePrior(test::PinholeCamera().parameters(), options.calibration), options};
+}
+
 TEST(MapAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
   test::Random random(1);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
   const SE3 before = map.WorldFromKeyframe(4);
-  MapAdjuster adjuster(test::PinholeCamera().parameters(), FixedCamera());
+  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
   adjuster.Start(map, test::MakeNoise(), 10);
   EXPECT_FALSE(adjuster.Finish(map, 11));
   EXPECT_FALSE(adjuster.Finish(map, 12));
@@ -65,7 +69,7 @@ TEST(MapAdjusterTest, GivesTheWindowThatAdjustBundleGives) {
       CopyBundle(expected, SelectWindow(expected, 4, options.bundle_adjuster), test::MakeNoise());
   AdjustBundle(test::PinholeCamera(), options.bundle_adjuster, bundle);
   WriteBack(bundle, expected);
-  MapAdjuster adjuster(test::PinholeCamera().parameters(), options);
+  MapAdjuster adjuster = MakeAdjuster(options);
   adjuster.Start(map, test::MakeNoise(), 0);
   adjuster.Finish(map, kEnd);
   for (KeyframeId id = 0; id < 5; ++id) {
@@ -76,7 +80,7 @@ TEST(MapAdjusterTest, GivesTheWindowThatAdjustBundleGives) {
 TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
   test::Random random(3);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
-  MapAdjuster adjuster(test::PinholeCamera().parameters(), FixedCamera());
+  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
   adjuster.Start(map, test::MakeNoise(), 0);
   EXPECT_TRUE(adjuster.Finish(map, kEnd));
   adjuster.Start(map, test::MakeNoise(), 1);
@@ -86,19 +90,41 @@ TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
 TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
-  MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
+  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(map, test::MakeNoise(), 0);
   EXPECT_EQ(adjuster.camera().parameters().k1, 0);
   adjuster.Finish(map, kEnd);
   EXPECT_FALSE(adjuster.contradicts_given_camera());
   EXPECT_NEAR(adjuster.camera().parameters().k1, 0.04, 0.01);
-  EXPECT_LT(adjuster.calibration().covariance(1, 1), 0.01 * 0.01);
+  EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
+}
+
+TEST(MapAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
+  test::Random random(4);
+  Map map = MakeDistortedMap(0.04, random);
+  MapAdjuster adjuster({test::PinholeCamera().parameters(), {{"k1", 0.05}}}, OdometryOptions());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  adjuster.Finish(map, kEnd);
+  CameraParameters expected = test::PinholeCamera().parameters();
+  expected.k1 = adjuster.camera().parameters().k1;
+  EXPECT_NEAR(expected.k1, 0.04, 0.005);
+  EXPECT_EQ(adjuster.camera().parameters(), expected);
+}
+
+TEST(MapAdjusterTest, AFixedCameraStays) {
+  test::Random random(4);
+  Map map = MakeDistortedMap(0.04, random);
+  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  adjuster.Finish(map, kEnd);
+  EXPECT_EQ(adjuster.camera_prior().num_free(), 0);
+  EXPECT_EQ(adjuster.camera(), test::PinholeCamera());
 }
 
 TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   test::Random random(5);
   Map map = MakeDistortedMap(0.3, random);
-  MapAdjuster adjuster(test::PinholeCamera().parameters(), OdometryOptions());
+  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(map, test::MakeNoise(), 0);
   adjuster.Finish(map, kEnd);
   EXPECT_TRUE(adjuster.contradicts_given_camera());
