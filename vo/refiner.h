@@ -6,16 +6,13 @@
 #include "vo/full_adjustment.h"
 #include "vo/map.h"
 #include "vo/odometry.h"
+#include "vo/sequence_record.h"
 #include "vo/trajectory.h"
 
 namespace corvo {
 
 struct RefinerOptions {
-  /// Frames adjusted with the keyframes, of those between one keyframe and the next; evenly spread.
-  int frames_between = 5;
-  /// Fewer between keyframes where these and those would be more than so many.
-  int max_frames = 1000;
-  int max_points = 400;  ///< Seen by an adjusted frame, about: see ThinPoints.
+  SequenceOptions sequence;
   FullAdjustmentOptions adjustment;
 };
 

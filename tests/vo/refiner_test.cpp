@@ -92,14 +92,14 @@ TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
   Recorded recorded;
   recorded.Drive(40, 1);
   RefinerOptions options;
-  options.frames_between = 0;
+  options.sequence.frames_between = 0;
   const int num_keyframes = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
   EXPECT_EQ(num_keyframes, static_cast<int>(recorded.odometry.map().KeptKeyframes().size()));
-  options.frames_between = 1;
+  options.sequence.frames_between = 1;
   const int num_more = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
   EXPECT_GT(num_more, num_keyframes);
   EXPECT_LE(num_more, 2 * num_keyframes + 1);
-  options.frames_between = 9;
+  options.sequence.frames_between = 9;
   options.max_frames = 2 * num_keyframes;
   EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_more);
   options.max_frames = num_keyframes;
