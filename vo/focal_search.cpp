@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "vo/median.h"
 #include "vo/ray_match.h"
 #include "vo/rotation_estimator.h"
+#include "vo/usac_params.h"
 
 namespace corvo {
 namespace {
@@ -43,19 +43,9 @@ std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches) {
     first.emplace_back(match.first.x(), match.first.y());
     second.emplace_back(match.second.x(), match.second.y());
   }
-  cv::UsacParams params;
-  params.randomGeneratorState = 0;
-  params.isParallel = false;
-  params.confidence = 0.9999;
-  params.maxIterations = 2000;
-  params.threshold = 2;
-  params.sampler = cv::SAMPLING_UNIFORM;
-  params.score = cv::SCORE_METHOD_MSAC;
-  params.loMethod = cv::LOCAL_OPTIM_GC;
-  params.loIterations = 10;
-  params.loSampleSize = 50;
+  constexpr double kThresholdPx = 2;
   cv::Mat mask;
-  const cv::Mat found = cv::findFundamentalMat(first, second, mask, params);
+  const cv::Mat found = cv::findFundamentalMat(first, second, mask, MakeUsacParams(kThresholdPx));
   if (found.rows != 3 || found.cols != 3) return std::nullopt;
   Eigen::Matrix3d fundamental;
   cv::cv2eigen(found, fundamental);
@@ -131,25 +121,29 @@ void Improve(EpipolarFit fit, EpipolarFit& best) {
   if (fit.cost < best.cost) best = std::move(fit);
 }
 
-/// The least robust transfer error of a rotation: both axes, as FitEpipolarMotion's one.
+/// Adds the squared distance of a match's first ray, turned, from its second, in units of its
+/// sigma, under Cauchy's loss; a step ω makes R to Exp(ω) R.
+void AddTransferError(const RayMatch& match, const SO3& rotation, NormalEquations<3>& equations) {
+  const Eigen::Vector3d turned = rotation * match.first.homogeneous();
+  if (turned.z() <= 0) return;
+  const Eigen::Vector2d ray = turned.hnormalized();
+  const Eigen::Vector2d error = (ray - match.second) / match.sigma;
+  Eigen::Matrix<double, 2, 3> by_point;
+  by_point << 1, 0, -ray.x(), 0, 1, -ray.y();
+  const Eigen::Matrix<double, 2, 3> by_step =
+      -by_point * SO3::Hat(turned) / (turned.z() * match.sigma);
+  const double weight = 1 / (1 + error.squaredNorm());
+  equations.cost += std::log1p(error.squaredNorm());
+  equations.hessian += weight * by_step.transpose() * by_step;
+  equations.gradient += weight * by_step.transpose() * error;
+}
+
+/// The least robust transfer error of a rotation: of both axes, where FitEpipolarMotion has one.
 double RotationCost(const std::vector<RayMatch>& matches) {
   constexpr int kMaxIterations = 10;
   const auto build = [&](const SO3& rotation) {
     NormalEquations<3> equations;
-    for (const RayMatch& match : matches) {
-      const Eigen::Vector3d turned = rotation * match.first.homogeneous();
-      if (turned.z() <= 0) continue;
-      const Eigen::Vector2d ray = turned.hnormalized();
-      const Eigen::Vector2d error = (ray - match.second) / match.sigma;
-      Eigen::Matrix<double, 2, 3> by_point;
-      by_point << 1, 0, -ray.x(), 0, 1, -ray.y();
-      const Eigen::Matrix<double, 2, 3> by_step =
-          -by_point * SO3::Hat(turned) / (turned.z() * match.sigma);
-      const double weight = 1 / (1 + error.squaredNorm());
-      equations.cost += std::log1p(error.squaredNorm());
-      equations.hessian += weight * by_step.transpose() * by_step;
-      equations.gradient += weight * by_step.transpose() * error;
-    }
+    for (const RayMatch& match : matches) AddTransferError(match, rotation, equations);
     return equations;
   };
   const auto plus = [](const SO3& rotation, const Eigen::Vector3d& step) {
