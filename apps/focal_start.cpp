@@ -61,8 +61,14 @@ CameraPrior MakeFocalPrior(const FocalSearchResult& search) {
   constexpr double kMaxSigma = 0.5;
   constexpr double kK1Sigma = 0.1;
   constexpr double kK2Sigma = 0.05;
+  const double centre_sigma_px = 0.01 * search.camera.width;
   const double focal_sigma = std::clamp(search.focal_sigma, kMinSigma, kMaxSigma);
-  return {search.camera, {{"focal", focal_sigma}, {"k1", kK1Sigma}, {"k2", kK2Sigma}}};
+  return {search.camera,
+          {{"focal", focal_sigma},
+           {"cx", centre_sigma_px},
+           {"cy", centre_sigma_px},
+           {"k1", kK1Sigma},
+           {"k2", kK2Sigma}}};
 }
 
 CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences) {

@@ -17,8 +17,8 @@ using ImageOpener = std::function<ImageSource()>;
 FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences);
 
 /// The camera from which to start: its focal length is known to within the search's sigma, at least
-/// a tenth, as the centre and distortion that the search assumes are not the camera's; k1 and k2
-/// are all but unknown, the principal point exact.
+/// a tenth, as the centre and distortion that the search assumes are not the camera's; its
+/// principal point to within a hundredth of the width; k1 and k2 are all but unknown.
 CameraPrior MakeFocalPrior(const FocalSearchResult& search);
 
 /// The same of a sequence; says on standard error what was found, and what to film where the focal
