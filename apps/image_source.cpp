@@ -120,14 +120,25 @@ std::optional<TimedImage> ImageSource::Next() {
   return next;
 }
 
+bool ImageSource::Skip() {
+  if (!first_) return Advance() && reader_->Skip();
+  first_.reset();
+  return true;
+}
+
 std::optional<TimedImage> ImageSource::ReadNext() {
-  if (selection_.count && num_read_ == *selection_.count) return std::nullopt;
+  if (!Advance()) return std::nullopt;
+  return reader_->Read();
+}
+
+bool ImageSource::Advance() {
+  if (selection_.count && num_read_ == *selection_.count) return false;
   const int num_skipped = num_read_ == 0 ? selection_.start : selection_.every - 1;
   for (int i = 0; i < num_skipped; ++i) {
-    if (!reader_->Skip()) return std::nullopt;
+    if (!reader_->Skip()) return false;
   }
   ++num_read_;
-  return reader_->Read();
+  return true;
 }
 
 std::optional<int> ImageSource::size() const {
@@ -137,6 +148,8 @@ std::optional<int> ImageSource::size() const {
   return selection_.count ? std::min(size, *selection_.count) : size;
 }
 
+bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::exists(input); }
+
 ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
                        double default_frame_rate_hz, const Selection& selection) {
   if (fs::is_regular_file(input)) {
@@ -145,9 +158,8 @@ ImageSource OpenImages(const std::string& input, std::optional<double> frame_rat
     }
     return {ImageList{"video", {}, {}}, OpenVideo(input, frame_rate_hz), selection};
   }
-  const std::optional<int> device = ParseDevice(input);
-  if (device && !fs::exists(input)) {
-    return {ImageList{"camera", {}, {}}, OpenCamera(*device), selection};
+  if (IsLiveInput(input)) {
+    return {ImageList{"camera", {}, {}}, OpenCamera(*ParseDevice(input)), selection};
   }
   return ImageSource(ListImages(input, frame_rate_hz.value_or(default_frame_rate_hz)), selection);
 }

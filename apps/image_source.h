@@ -60,6 +60,9 @@ class ImageSource {
   /// of the size that Prepare() was told.
   std::optional<TimedImage> Next();
 
+  /// Leaves out the next picture, undecoded; false after the last.
+  bool Skip();
+
   /// How many pictures there are; none where only their end will tell.
   std::optional<int> size() const;
   /// A connected camera: its sequence has no end but the user's.
@@ -68,6 +71,8 @@ class ImageSource {
 
  private:
   std::optional<TimedImage> ReadNext();
+  /// To the next selected picture; false where there is none.
+  bool Advance();
 
   ImageList list_;
   std::unique_ptr<ImageReader> reader_;
@@ -77,9 +82,12 @@ class ImageSource {
   int num_read_ = 0;
 };
 
-/// Opens what the user named: a folder or pattern of pictures, a video, or a camera ("0" or
-/// "camera:0"). `frame_rate_hz`, if given, makes the times of pictures that have none and of
-/// videos; else pictures come at `default_frame_rate_hz`.
+/// Whether that is a connected camera: "0" or "camera:0".
+bool IsLiveInput(const std::string& input);
+
+/// Opens what the user named: a folder or pattern of pictures, a video, or a camera.
+/// `frame_rate_hz`, if given, makes the times of pictures that have none and of videos; else
+/// pictures come at `default_frame_rate_hz`.
 ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
                        double default_frame_rate_hz, const Selection& selection);
 

@@ -30,6 +30,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo run images/ --camera camera.yaml --fps 30 -o result
   corvo run 'images/left*.png' --camera camera.yaml --every 2 --resize 0.5 -o result
   corvo run drive.mp4 --camera phone.yaml --mask bonnet.png -o result
+  corvo run images/ --focal auto -o result            # ... no calibration at hand
   corvo run sequences/03 --refine -o result           # ... adjusted as a whole at the end
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/focal_start.h"
 #include "apps/ground_truth.h"
 #include "apps/shipped_cameras.h"
 #include "apps/tum_mono_sequence.h"
@@ -28,8 +29,8 @@ double DefaultFrameRate(const std::optional<CameraFile>& file) {
 }
 
 [[noreturn]] void ThrowNoCamera(const RunArguments& arguments, const cv::Size& size) {
-  std::string message =
-      fmt::format("{}: ships no calibration; give --camera FILE", arguments.input.string());
+  std::string message = fmt::format("{}: ships no calibration; give --camera FILE, or --focal auto",
+                                    arguments.input.string());
   const std::vector<std::filesystem::path> cameras = FindShippedCameras(size.width, size.height);
   if (!cameras.empty()) {
     message += fmt::format("; for {} x {} px there are", size.width, size.height);
@@ -67,6 +68,37 @@ OdometryOptions ReadRunOptions(const RunArguments& arguments) {
   return options;
 }
 
+void CheckFocal(const RunArguments& arguments) {
+  if (arguments.focal.empty() || !IsLiveInput(arguments.input.string())) return;
+  throw Error(
+      fmt::format("--focal auto: {} is a live camera, whose pictures come but once; give --camera "
+                  "FILE, or a recording",
+                  arguments.input.string()));
+}
+
+/// The camera of pictures that ship none, from the pictures themselves.
+CameraPrior FindCamera(const RunArguments& arguments) {
+  return FindFocalLength({[&arguments] {
+    ImageSource pictures = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
+                                      kDefaultFrameRateHz, arguments.selection);
+    const TimedImage& first = pictures.First();
+    const cv::Size size = first.image.size();
+    const MaskSource masks =
+        arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
+    pictures.Prepare({size, size, masks});
+    return pictures;
+  }});
+}
+
+/// Named, found or the dataset's own.
+CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<CameraFile>& named,
+                       const CalibrationOptions& options, ImageSource& source) {
+  if (named) return named->Prior(options);
+  if (!arguments.focal.empty()) return FindCamera(arguments);
+  if (!source.list().camera) ThrowNoCamera(arguments, source.First().image.size());
+  return MakePrior(*source.list().camera, options);
+}
+
 }  // namespace
 
 cv::Size ParseResize(const std::string& text, const cv::Size& size) {
@@ -88,8 +120,15 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
                   "folder of images, quoted pattern of images, KITTI, EuRoC, TUM-VI, TUM RGB-D or "
                   "TUM-mono sequence, video, or number of a camera")
       ->required();
-  command.add_option("--camera", arguments.camera,
-                     "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
+  CLI::Option* const camera =
+      command.add_option("--camera", arguments.camera,
+                         "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
+  command
+      .add_option("--focal", arguments.focal,
+                  "auto: the focal length is searched for in the pictures, and estimated while it "
+                  "runs, with k1 and k2; instead of the dataset's camera")
+      ->check(CLI::IsMember({"auto"}))
+      ->excludes(camera);
   command
       .add_option("--fps", arguments.frame_rate_hz,
                   "frames a second of images without times, or instead of a video's times")
@@ -109,12 +148,11 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
 RunInputs ReadInputs(const RunArguments& arguments) {
   const OdometryOptions options = ReadRunOptions(arguments);
   const std::optional<CameraFile> named = ReadNamedCamera(arguments);
+  CheckFocal(arguments);
   ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   DefaultFrameRate(named), arguments.selection);
   const TimedImage& first = source.First();
-  if (!named && !source.list().camera) ThrowNoCamera(arguments, first.image.size());
-  const CameraPrior camera = named ? named->Prior(options.calibration)
-                                   : MakePrior(*source.list().camera, options.calibration);
+  const CameraPrior camera = ReadCamera(arguments, named, options.calibration, source);
   const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
   const MaskSource masks =

@@ -19,6 +19,7 @@ struct RunArguments {
   std::filesystem::path output;
   std::filesystem::path config;
   std::filesystem::path camera;
+  std::string focal;               ///< "auto": the camera is found from the pictures.
   std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
   std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
   std::filesystem::path mask;

@@ -72,6 +72,11 @@ std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Odom
   return residuals;
 }
 
+std::string CameraSource(const RunArguments& arguments) {
+  if (!arguments.focal.empty()) return "focal search";
+  return arguments.camera.empty() ? "dataset" : arguments.camera.string();
+}
+
 /// What was asked for of --start --every --count --resize --mask --fps.
 void AddInputJson(const RunArguments& arguments, Json& json) {
   const Selection& selection = arguments.selection;
@@ -147,7 +152,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["input"] = arguments.input.string();
   json["layout"] = inputs.source.list().layout;
   AddInputJson(arguments, json);
-  json["camera_source"] = arguments.camera.empty() ? "dataset" : arguments.camera.string();
+  json["camera_source"] = CameraSource(arguments);
   json["camera"] = CameraJson(inputs.camera.given);
   json["calibration"] = ToJson(summary.calibration);
   if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);

@@ -14,14 +14,15 @@ foreach(component IN ITEMS orb vo opencv)
   install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
 endforeach()
 
-# All headers but those of the inside, which include Highway, TBB or Ceres.
+# All headers but those of the inside, which include Highway, TBB, calib3d or Ceres.
 install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
   FILES_MATCHING PATTERN "*.h"
   PATTERN "*-inl.h" EXCLUDE
   PATTERN "workers.h" EXCLUDE
   PATTERN "bundle_problem.h" EXCLUDE
   PATTERN "reprojection_cost.h" EXCLUDE
-  PATTERN "se3_manifold.h" EXCLUDE)
+  PATTERN "se3_manifold.h" EXCLUDE
+  PATTERN "usac_params.h" EXCLUDE)
 
 configure_package_config_file(cmake/corvo-config.cmake.in
   ${PROJECT_BINARY_DIR}/corvo-config.cmake

@@ -14,6 +14,7 @@
 #include "vo/median.h"
 #include "vo/rotation_estimator.h"
 #include "vo/triangulation.h"
+#include "vo/usac_params.h"
 
 namespace corvo {
 namespace {
@@ -22,21 +23,6 @@ double MedianSigma(const std::vector<RayMatch>& matches) {
   std::vector<double> sigmas;
   for (const RayMatch& match : matches) sigmas.push_back(match.sigma);
   return Median(std::move(sigmas));
-}
-
-cv::UsacParams MakeUsacParams(double threshold) {
-  cv::UsacParams params;
-  params.randomGeneratorState = 0;
-  params.isParallel = false;
-  params.confidence = 0.9999;
-  params.maxIterations = 2000;
-  params.threshold = threshold;
-  params.sampler = cv::SAMPLING_UNIFORM;
-  params.score = cv::SCORE_METHOD_MSAC;
-  params.loMethod = cv::LOCAL_OPTIM_GC;
-  params.loIterations = 10;
-  params.loSampleSize = 50;
-  return params;
 }
 
 struct CvMatches {

@@ -198,11 +198,48 @@ TEST_F(Run, RecognisesEveryLayout) {
 }
 
 TEST_F(Run, WantsACameraWhereTheDatasetShipsNone) {
-  ExpectError(RunCorvo({"run", images_, "-o", result_}), "ships no calibration; give --camera");
+  ExpectError(RunCorvo({"run", images_, "-o", result_}),
+              "ships no calibration; give --camera FILE, or --focal auto");
   for (int i = 0; i < 5; ++i) {
     WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 640, 480));
   }
   ExpectError(RunCorvo({"run", images_, "-o", result_}), "tum_fr1.yaml");
+}
+
+TEST_F(Run, RefusesTheFocalSearchWhereItCannotBe) {
+  ExpectError(RunCorvo({"run", "camera:97", "--focal", "auto", "-o", result_}),
+              "--focal auto: camera:97 is a live camera");
+  EXPECT_THAT(RunHere({"--focal", "auto"}).err, HasSubstr("--camera excludes --focal"));
+  EXPECT_THAT(RunCorvo({"run", images_, "--focal", "500", "-o", result_}).err,
+              HasSubstr("--focal"));
+}
+
+TEST_F(Run, SaysThatPicturesDoNotDetermineTheFocalLength) {
+  const CommandResult run = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
+  EXPECT_EQ(run.exit_code, kNeverInitialized);
+  EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 pairs of pictures)"));
+  const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
+  EXPECT_EQ(summary["camera_source"], "focal search");
+  EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // 70 degrees of 96 px.
+}
+
+/// Pictures of a rendered room alone, without their camera.
+TEST_F(Run, FindsTheFocalLengthOfPicturesWithoutACamera) {
+  const int every = 6;
+  RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100"});
+  const std::vector<std::string> arguments = {"run",     folder_ / "room/rgb",  "--focal", "auto",
+                                              "--every", std::to_string(every), "-o",      result_};
+  const CommandResult run = RunCorvo(arguments);
+  EXPECT_THAT(run.err, HasSubstr("focal search: "));
+  const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
+  EXPECT_EQ(summary["camera_source"], "focal search");
+  EXPECT_NEAR(summary["camera"]["fx"], 525, 0.1 * 525);
+  EXPECT_EQ(summary["camera"]["cx"], 319.5);
+  std::vector<std::string> with_threads = arguments;
+  with_threads.back() = result_ / "again";
+  with_threads.insert(with_threads.end(), {"--threads", "2"});
+  RunCorvo(with_threads);
+  EXPECT_EQ(ReadFile(result_ / "trajectory.tum"), ReadFile(result_ / "again/trajectory.tum"));
 }
 
 TEST_F(Run, NamesBadInput) {

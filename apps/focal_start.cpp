@@ -1,0 +1,90 @@
+#include "apps/focal_start.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "orb/error.h"
+#include "vo/picture_pairs.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kMaxPairs = 16;  // Of all sequences.
+
+/// Of files, how many are selected; else they are counted.
+int CountPictures(const ImageOpener& open) {
+  ImageSource source = open();
+  if (!source.list().images.empty()) return *source.size();
+  int count = 0;
+  while (source.Skip()) ++count;
+  return count;
+}
+
+/// Adds a sequence's pairs, and checks or sets the size of its pictures.
+void AddPairs(const ImageOpener& open, int max_pairs, cv::Size& size,
+              std::vector<PixelMatches>& pairs) {
+  PicturePairs sequence(CountPictures(open), max_pairs);
+  ImageSource source = open();
+  const TimedImage& first = source.First();
+  if (size.empty()) size = first.image.size();
+  for (int i = 0;; ++i) {
+    if (!sequence.Needs(i)) {
+      if (!source.Skip()) break;
+      continue;
+    }
+    const std::optional<TimedImage> next = source.Next();
+    if (!next) break;
+    if (next->image.size() != size) {
+      throw Error(fmt::format("{}: the picture is {} x {} px, others {} x {} px", next->name,
+                              next->image.cols, next->image.rows, size.width, size.height));
+    }
+    sequence.Add(i, next->image, next->mask);
+  }
+  for (PixelMatches& matches : sequence.Get()) pairs.push_back(std::move(matches));
+}
+
+}  // namespace
+
+FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences) {
+  cv::Size size;
+  std::vector<PixelMatches> pairs;
+  const int max_pairs = std::max(1, kMaxPairs / std::max<int>(1, sequences.size()));
+  for (const ImageOpener& open : sequences) AddPairs(open, max_pairs, size, pairs);
+  return SearchFocal(pairs, size.width, size.height);
+}
+
+CameraPrior MakeFocalPrior(const FocalSearchResult& search) {
+  constexpr double kMinSigma = 0.1;
+  constexpr double kMaxSigma = 0.5;
+  constexpr double kK1Sigma = 0.1;
+  constexpr double kK2Sigma = 0.05;
+  const double centre_sigma_px = 0.01 * search.camera.width;
+  const double focal_sigma = std::clamp(search.focal_sigma, kMinSigma, kMaxSigma);
+  return {search.camera,
+          {{"focal", focal_sigma},
+           {"cx", centre_sigma_px},
+           {"cy", centre_sigma_px},
+           {"k1", kK1Sigma},
+           {"k2", kK2Sigma}}};
+}
+
+CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences) {
+  const FocalSearchResult search = SearchFocal(sequences);
+  CameraPrior prior = MakeFocalPrior(search);
+  if (search.is_determined) {
+    spdlog::info("focal search: {:.1f} px, from {} pairs of pictures", prior.given.fx,
+                 search.num_pairs);
+  } else {
+    spdlog::warn(
+        "the pictures do not determine the focal length ({} pairs of pictures); it starts from "
+        "{:.0f} px to within {:.0f}%. Film something that is not flat, and turn while moving, not "
+        "straight along the axis",
+        search.num_pairs, prior.given.fx, 100 * prior.free.front().sigma);
+  }
+  return prior;
+}
+
+}  // namespace corvo
