@@ -1,6 +1,7 @@
 #include "bench/calibration/camera_run.h"
 
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "apps/sightings_spool.h"
@@ -38,14 +39,21 @@ double Ate(const Trajectory& trajectory, const PoseSequence& truth) {
   }
 }
 
-/// An adjustment that lowers nothing leaves everything as it was.
-void TakeRefined(const Odometry& odometry, const Refinement& refinement, const PoseSequence& truth,
-                 CameraRun& run) {
+int CountSegments(const Trajectory& trajectory) {
+  std::set<int> segments;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.world_from_camera) segments.insert(frame.segment);
+  }
+  return static_cast<int>(segments.size());
+}
+
+void AddRefined(const Odometry& odometry, const Refinement& refinement, const PoseSequence& truth,
+                CameraRun& run) {
   if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return;
-  run.ate = Ate(refinement.trajectory, truth);
+  run.refined_ate = Ate(refinement.trajectory, truth);
   if (refinement.adjustment.covariance.size() == 0) return;
-  run.estimate = {odometry.camera_prior().Difference(refinement.adjustment.camera),
-                  refinement.adjustment.covariance};
+  run.refined_estimate = {odometry.camera_prior().Difference(refinement.adjustment.camera),
+                          refinement.adjustment.covariance};
 }
 
 }  // namespace
@@ -61,11 +69,15 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
     if (after_frame) after_frame(odometry);
   }
   const Trajectory trajectory = odometry.Finish();
-  CameraRun run{Ate(trajectory, recording.truth), odometry.contradicts_given_camera(),
-                odometry.camera_estimate()};
+  CameraRun run;
+  run.ate = run.refined_ate = Ate(trajectory, recording.truth);
+  run.posed_share = trajectory.PosedShare();
+  run.segments = CountSegments(trajectory);
+  run.contradicts_given_camera = odometry.contradicts_given_camera();
+  run.estimate = run.refined_estimate = odometry.camera_estimate();
   if (refine) {
     const auto sightings = [&](const SightingsSink& visit) { spool.ForEach(visit); };
-    TakeRefined(odometry, Refine(odometry, sightings), recording.truth, run);
+    AddRefined(odometry, Refine(odometry, sightings), recording.truth, run);
   }
   return run;
 }

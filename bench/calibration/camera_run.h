@@ -20,13 +20,18 @@ namespace corvo::bench {
 /// What odometry made of a recording, and of the camera that it was given.
 struct CameraRun {
   double ate = 0;  ///< Root mean square after one Sim3, in the truth's unit; NaN: cannot be said.
+  double posed_share = 0;  ///< Of the frames, 0 to 1.
+  int segments = 0;
   bool contradicts_given_camera = false;
   CameraEstimate estimate;  ///< Of the difference from the given camera, at the end.
+  double refined_ate = 0;   ///< After refinement; without one, and where it fails, as before.
+  CameraEstimate refined_estimate;  ///< Likewise.
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CameraRun, ate, contradicts_given_camera, estimate)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CameraRun, ate, posed_share, segments, contradicts_given_camera,
+                                   estimate, refined_ate, refined_estimate)
 
-/// The camera is estimated if anything of it is free. With `refine`, the run and the camera are
-/// those after refinement. `after_frame` is called after each frame.
+/// The camera is estimated if anything of it is free. `after_frame` is called after each
+/// frame.
 CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
                         const OdometryOptions& options, bool refine = false,
                         const std::function<void(const Odometry&)>& after_frame = {});

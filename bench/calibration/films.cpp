@@ -4,10 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <opencv2/core.hpp>
-
 #include "apps/synthetic/sequence.h"
 #include "orb/error.h"
+#include "tests/support/random.h"
 
 namespace corvo::bench {
 namespace {
@@ -27,7 +26,9 @@ std::vector<Stretch> FindStraights(const PoseSequence& poses) {
   constexpr int kMinSize = 70;
   std::vector<Stretch> straights;
   const int num_poses = static_cast<int>(poses.size());
-  const auto axis = [&](int i) { return poses[i].world_from_camera.rotation().matrix().col(2); };
+  const auto axis = [&](int i) -> Eigen::Vector3d {
+    return poses[i].world_from_camera.rotation().matrix().col(2);
+  };
   for (int first = 0; first < num_poses;) {
     int end = first + 1;
     while (end < num_poses && axis(first).cross(axis(end)).norm() < kMaxTurn) ++end;
@@ -50,8 +51,8 @@ Stretch ChooseStretch(FilmScene scene, int seed, const PoseSequence& poses) {
     const std::vector<Stretch> straights = FindStraights(poses);
     return straights[static_cast<std::size_t>(seed) % straights.size()];
   }
-  cv::RNG random(1 + static_cast<std::uint64_t>(seed));
-  return {random.uniform(0, kPeriod), kFrames};
+  test::Random random(static_cast<std::uint64_t>(seed));
+  return {random.UniformInt(0, kPeriod), kFrames};
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::string ToString(FilmScene scene) {
 Recording FilmStretch(FilmScene scene, int seed) {
   synthetic::SequenceOptions options;
   options.frames = kPeriod + kFrames;
-  options.width = 640;
+  options.width = scene == FilmScene::kRoom || scene == FilmScene::kRotation ? 640 : 930;
   options.noise_sigma = 3;
   options.noise_seed = 1 + static_cast<std::uint64_t>(seed);
   const Recording whole = Film(MakeScene(scene, options));
