@@ -71,7 +71,7 @@ std::string DataBlock(int index, const LearningTrial& trial) {
 std::string Panel(int index, const LearningTrial& trial) {
   return fmt::format(
       "set title '{1}'\nplot $trial{0} using 1:3:4 with filledcurves lc rgb '#c6d8ee' title "
-      "'k1 ± sigma', '' using 1:2 with lines lw 2 lc rgb '#1f4e89' title 'k1'\n",
+      "'k1 ± sigma', '' using 1:2 with steps lw 2 lc rgb '#1f4e89' title 'k1'\n",
       index, trial.scenario);
 }
 
@@ -138,7 +138,7 @@ std::string SwapTable(const std::vector<LearningTrial>& trials) {
 bool DrawLearning(const std::vector<LearningTrial>& trials, const std::filesystem::path& png) {
   std::string script = fmt::format(
       "set terminal pngcairo size {},360\nset grid\nset xlabel 'frame'\nset yrange [-0.03:0.06]\n"
-      "set key bottom right\n",
+      "set key top right\n",
       400 * trials.size());
   const int num_trials = static_cast<int>(trials.size());
   for (int i = 0; i < num_trials; ++i) script += DataBlock(i, trials[i]);
