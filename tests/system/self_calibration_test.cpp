@@ -41,7 +41,7 @@ TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheSigmasThatAreClaimed
   if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the camera is known";
   test::Random random(3);
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Sequence room = MakeRoom(Film(120, seed));
+    const Sequence room = MakeRoom(Film(150, seed));
     const CameraPrior truth{room.camera().parameters(), kFree};
     Eigen::VectorXd draw(3);
     for (int i = 0; i < 3; ++i) draw[i] = random.Gaussian(kFree[i].sigma);
