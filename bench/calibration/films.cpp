@@ -1,0 +1,93 @@
+#include "bench/calibration/films.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "apps/synthetic/sequence.h"
+#include "orb/error.h"
+#include "tests/support/random.h"
+
+namespace corvo::bench {
+namespace {
+
+constexpr int kFrames = 200;
+constexpr int kPeriod = 600;  ///< Frames after which scenes begin to repeat themselves, or more.
+
+/// First frame and number of frames.
+struct Stretch {
+  int first = 0;
+  int size = 0;
+};
+
+/// Where the camera looks almost in the direction of the stretch's first frame, for long enough.
+std::vector<Stretch> FindStraights(const PoseSequence& poses) {
+  constexpr double kMaxTurn = 0.01;  // rad
+  constexpr int kMinSize = 70;
+  std::vector<Stretch> straights;
+  const int num_poses = static_cast<int>(poses.size());
+  const auto axis = [&](int i) -> Eigen::Vector3d {
+    return poses[i].world_from_camera.rotation().matrix().col(2);
+  };
+  for (int first = 0; first < num_poses;) {
+    int end = first + 1;
+    while (end < num_poses && axis(first).cross(axis(end)).norm() < kMaxTurn) ++end;
+    const bool is_long = end - first >= kMinSize;
+    if (is_long) straights.push_back({first, end - first});
+    first = is_long ? end : first + 1;
+  }
+  if (straights.empty()) throw Error("the street has no straight");
+  return straights;
+}
+
+synthetic::Sequence MakeScene(FilmScene scene, const synthetic::SequenceOptions& options) {
+  if (scene == FilmScene::kRoom) return synthetic::MakeRoom(options);
+  if (scene == FilmScene::kRotation) return synthetic::MakePureRotation(options);
+  return synthetic::MakeStreet(options);
+}
+
+Stretch ChooseStretch(FilmScene scene, int seed, const PoseSequence& poses) {
+  if (scene == FilmScene::kStraight) {
+    const std::vector<Stretch> straights = FindStraights(poses);
+    return straights[static_cast<std::size_t>(seed) % straights.size()];
+  }
+  test::Random random(static_cast<std::uint64_t>(seed));
+  return {random.UniformInt(0, kPeriod), kFrames};
+}
+
+}  // namespace
+
+std::string ToString(FilmScene scene) {
+  switch (scene) {
+    case FilmScene::kStreet:
+      return "street";
+    case FilmScene::kRoom:
+      return "room";
+    case FilmScene::kStraight:
+      return "street, straight on";
+    case FilmScene::kRotation:
+      return "pure rotation";
+  }
+  return "";
+}
+
+Recording FilmStretch(FilmScene scene, int seed) {
+  synthetic::SequenceOptions options;
+  options.frames = kPeriod + kFrames;
+  options.width = scene == FilmScene::kRoom || scene == FilmScene::kRotation ? 640 : 930;
+  options.noise_sigma = 3;
+  options.noise_seed = 1 + static_cast<std::uint64_t>(seed);
+  const Recording whole = Film(MakeScene(scene, options));
+  const Stretch stretch = ChooseStretch(scene, seed, whole.truth);
+  Recording film{whole.camera, {}, {}, {}};
+  std::vector<cv::Mat> pictures;
+  for (int i = stretch.first; i < stretch.first + stretch.size; ++i) {
+    film.times.push_back(whole.times[i]);
+    film.truth.push_back(whole.truth[i]);
+    pictures.push_back(whole.picture(i));
+  }
+  film.picture = [pictures = std::move(pictures)](int i) { return pictures[i]; };
+  return film;
+}
+
+}  // namespace corvo::bench

@@ -1,0 +1,164 @@
+#include "bench/calibration/honesty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "bench/calibration/statistics.h"
+#include "bench/percentile.h"
+#include "tests/support/random.h"
+
+namespace corvo::bench {
+namespace {
+
+const std::vector<FreeParameter> kFree = {{"focal", 0.01}, {"k1", 0.03}, {"k2", 0.02}};
+
+Eigen::VectorXd Draw(int seed) {
+  test::Random random(1'000'000 + static_cast<std::uint64_t>(seed));
+  Eigen::VectorXd draw(static_cast<Eigen::Index>(kFree.size()));
+  for (Eigen::Index i = 0; i < draw.size(); ++i) draw[i] = random.Gaussian(kFree[i].sigma);
+  return draw;
+}
+
+Eigen::VectorXd DrawOf(const HonestyTrial& trial) {
+  return Eigen::Map<const Eigen::VectorXd>(trial.draw.data(),
+                                           static_cast<Eigen::Index>(trial.draw.size()));
+}
+
+/// What of a run is looked at.
+struct Stage {
+  std::string name;
+  double CameraRun::*ate;
+  CameraEstimate CameraRun::*estimate;
+};
+
+const std::vector<Stage> kStages = {
+    {"while it runs", &CameraRun::ate, &CameraRun::estimate},
+    {"refined", &CameraRun::refined_ate, &CameraRun::refined_estimate}};
+
+Miss MissOf(const HonestyTrial& trial, const Stage& stage) {
+  const CameraEstimate& estimate = trial.wrong.*stage.estimate;
+  return {estimate.difference - DrawOf(trial), estimate.covariance};
+}
+
+/// Of the prior's sigmas, the largest of all parameters.
+double LargestMove(const CameraEstimate& estimate) {
+  double largest = 0;
+  for (std::size_t i = 0; i < kFree.size(); ++i) {
+    largest = std::max(
+        largest, std::abs(estimate.difference[static_cast<Eigen::Index>(i)]) / kFree[i].sigma);
+  }
+  return largest;
+}
+
+using Trials = std::vector<const HonestyTrial*>;
+
+Trials SelectTrials(const std::vector<HonestyTrial>& trials, const std::vector<FilmScene>& scenes) {
+  Trials selected;
+  for (const HonestyTrial& trial : trials) {
+    const bool is_meant = std::any_of(scenes.begin(), scenes.end(), [&](FilmScene scene) {
+      return ToString(scene) == trial.scene;
+    });
+    if (is_meant) selected.push_back(&trial);
+  }
+  return selected;
+}
+
+std::string HonestyLine(const Stage& stage, const std::string& title, const Trials& trials) {
+  if (trials.empty()) return "";
+  std::vector<Miss> misses;
+  int contradictions = 0;
+  for (const HonestyTrial* trial : trials) {
+    misses.push_back(MissOf(*trial, stage));
+    contradictions += trial->wrong.contradicts_given_camera;
+  }
+  const Honesty honesty = Judge(misses);
+  std::string line = fmt::format("| {}, {} | {} | {} | {:.2f} |", title, stage.name, honesty.count,
+                                 contradictions, honesty.mean_normalized_squared_error);
+  for (std::size_t i = 0; i < kFree.size(); ++i) {
+    const auto parameter = static_cast<Eigen::Index>(i);
+    line +=
+        fmt::format(" {:.0f} | {:.4f} / {:.4f} |", 100 * honesty.share_within_3_sigma[parameter],
+                    honesty.rms_error[parameter], honesty.mean_sigma[parameter]);
+  }
+  return line + "\n";
+}
+
+std::string Spread(const std::vector<double>& values) {
+  return fmt::format("{:.2f} ({:.2f} - {:.2f})", Percentile(values, 50), Percentile(values, 10),
+                     Percentile(values, 90));
+}
+
+std::string AteLine(const Stage& stage, const std::string& title, const Trials& trials) {
+  if (trials.empty()) return "";
+  std::vector<double> exact, shipped, wrong;
+  int num_close = 0;
+  for (const HonestyTrial* trial : trials) {
+    exact.push_back(trial->exact.*stage.ate / (trial->fixed.*stage.ate));
+    shipped.push_back(trial->shipped.*stage.ate / (trial->fixed.*stage.ate));
+    wrong.push_back(trial->wrong.*stage.ate / (trial->fixed.*stage.ate));
+    num_close += wrong.back() <= 1.3;
+  }
+  return fmt::format("| {}, {} | {} | {} | {} | {:.0f} |\n", title, stage.name, Spread(exact),
+                     Spread(shipped), Spread(wrong),
+                     100.0 * num_close / static_cast<double>(trials.size()));
+}
+
+std::string MoveLine(const std::string& title, const Trials& trials) {
+  if (trials.empty()) return "";
+  std::vector<double> exact, wrong;
+  for (const HonestyTrial* trial : trials) {
+    exact.push_back(LargestMove(trial->exact.estimate));
+    wrong.push_back(LargestMove(trial->wrong.estimate));
+  }
+  return fmt::format("| {} | {} | {:.2f} ({:.2f}) | {:.2f} ({:.2f}) |\n", title, trials.size(),
+                     Percentile(exact, 50), Percentile(exact, 100), Percentile(wrong, 50),
+                     Percentile(wrong, 100));
+}
+
+}  // namespace
+
+HonestyTrial RunHonestyTrial(FilmScene scene, int seed, const OdometryOptions& options,
+                             bool refine) {
+  const Recording film = FilmStretch(scene, seed);
+  const Eigen::VectorXd draw = Draw(seed);
+  const CameraPrior exact{film.camera.parameters(), kFree};
+  const CameraPrior wrong{exact.Apply(-draw), kFree};
+  return {ToString(scene),
+          seed,
+          {draw.begin(), draw.end()},
+          RunWithCamera(film, {exact.given, {}}, options, refine),
+          RunWithCamera(film, exact, options, refine),
+          RunWithCamera(film, MakePrior(exact.given, options.calibration), options, refine),
+          RunWithCamera(film, wrong, options, refine)};
+}
+
+std::string HonestyTables(const std::vector<HonestyTrial>& trials) {
+  const Trials streets = SelectTrials(trials, {FilmScene::kStreet});
+  const Trials rooms = SelectTrials(trials, {FilmScene::kRoom});
+  const Trials both = SelectTrials(trials, {FilmScene::kStreet, FilmScene::kRoom});
+  std::string honest =
+      "| given a wrong camera | runs | contradictions | normalised squared error | focal in 3 "
+      "sigma, % | error / sigma | k1 in 3 sigma, % | error / sigma | k2 in 3 sigma, % | error / "
+      "sigma |\n|---|---|---|---|---|---|---|---|---|---|\n";
+  std::string ates =
+      "\n| ATE over that with the true camera fixed, median (10% - 90%) | true camera given, "
+      "estimated | the same, sigmas of the options | wrong camera given, estimated | of these "
+      "within 1.3, % |\n|---|---|---|---|---|\n";
+  for (const Stage& stage : kStages) {
+    for (const auto& [title, of_scene] :
+         {std::pair("street", &streets), std::pair("room", &rooms), std::pair("both", &both)}) {
+      honest += HonestyLine(stage, title, *of_scene);
+      ates += AteLine(stage, title, *of_scene);
+    }
+  }
+  return honest + ates +
+         "\n| largest move from the given camera, in sigmas of the prior, median (worst) | runs | "
+         "true camera given | wrong camera given |\n|---|---|---|---|\n" +
+         MoveLine("straight on", SelectTrials(trials, {FilmScene::kStraight})) +
+         MoveLine("pure rotation", SelectTrials(trials, {FilmScene::kRotation}));
+}
+
+}  // namespace corvo::bench

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "apps/environment.h"
+#include "bench/calibration/honesty.h"
+#include "bench/calibration/learning.h"
+#include "bench/odometry/child_process.h"
+#include "bench/odometry/scenarios.h"
+#include "orb/error.h"
+#include "vo/config.h"
+
+namespace corvo::bench {
+namespace {
+
+struct Arguments {
+  std::string config;
+  std::string json;
+  std::string plot;
+  std::string perturbations;
+  int jobs = 2;
+  int runs = 100;
+  int blind_runs = 10;
+  bool rendered = false;
+  bool recorded = false;
+  bool refine = false;
+};
+
+/// In children; their results in the order of the tasks.
+template <typename Result>
+std::vector<Result> RunAll(const std::vector<std::function<Result()>>& tasks, int jobs) {
+  std::vector<Result> results(tasks.size());
+  std::vector<std::function<std::string()>> in_bytes;
+  for (const auto& task : tasks) in_bytes.push_back([&task] { return ToBytes(task()); });
+  int num_done = 0;
+  RunInChildren(in_bytes, jobs, [&](int task, const ChildOutcome& outcome) {
+    results[task] = FromBytes<Result>(outcome.output);
+    fmt::print(stderr, "\r{} of {}", ++num_done, tasks.size());
+  });
+  fmt::print(stderr, "\n");
+  return results;
+}
+
+std::vector<HonestyTrial> RunHonestyTrials(const Arguments& arguments,
+                                           const OdometryOptions& options) {
+  std::vector<std::function<HonestyTrial()>> tasks;
+  const auto add = [&](FilmScene scene, int seed) {
+    tasks.push_back([=] { return RunHonestyTrial(scene, seed, options, arguments.refine); });
+  };
+  for (int seed = 0; seed < arguments.runs; ++seed) {
+    add(seed % 2 == 0 ? FilmScene::kStreet : FilmScene::kRoom, seed);
+  }
+  for (int seed = 0; seed < arguments.blind_runs; ++seed) {
+    add(FilmScene::kStraight, seed);
+    add(FilmScene::kRotation, seed);
+  }
+  return RunAll(tasks, arguments.jobs);
+}
+
+/// Of the scenarios with these titles; what one learns is given to the other.
+const std::vector<std::string> kSwapped = {"KITTI 03, nominal", "KITTI 05, nominal"};
+const std::string kStraightOn = "KITTI 06, nominal";  ///< Straight on: under one perturbation only.
+
+bool IsLearnt(const Scenario& scenario) {
+  return std::find(kSwapped.begin(), kSwapped.end(), scenario.title) != kSwapped.end() ||
+         scenario.title == kStraightOn;
+}
+
+struct Case {
+  Scenario scenario;
+  Perturbation perturbation;
+};
+
+std::vector<Case> LearningCases(const Arguments& arguments) {
+  std::vector<Case> cases;
+  for (const Scenario& scenario : RecordedScenarios()) {
+    if (!IsLearnt(scenario)) continue;
+    for (const Perturbation& perturbation : scenario.perturbations) {
+      const bool is_meant =
+          std::regex_search(perturbation.title, std::regex(arguments.perturbations));
+      const bool is_first = perturbation.title == Perturbation().title;
+      if (is_meant && (scenario.title != kStraightOn || is_first)) {
+        cases.push_back({scenario, perturbation});
+      }
+    }
+  }
+  return cases;
+}
+
+/// The trial of the other scenario under the same perturbation; null if there is none.
+const LearningTrial* FindOther(const LearningTrial& trial,
+                               const std::vector<LearningTrial>& trials) {
+  if (trial.scenario == kStraightOn) return nullptr;
+  for (const LearningTrial& other : trials) {
+    if (other.scenario != trial.scenario && other.scenario != kStraightOn &&
+        other.perturbation == trial.perturbation) {
+      return &other;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<LearningTrial> RunLearningTrials(const Arguments& arguments,
+                                             const OdometryOptions& options) {
+  const std::vector<Case> cases = LearningCases(arguments);
+  std::vector<std::function<LearningTrial()>> tasks;
+  for (const Case& each : cases) {
+    tasks.push_back([&] { return RunLearningTrial(each.scenario, each.perturbation, options); });
+  }
+  std::vector<LearningTrial> trials = RunAll(tasks, arguments.jobs);
+  std::vector<std::function<CameraRun()>> swaps;
+  std::vector<CameraRun*> swapped;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const LearningTrial* other = FindOther(trials[i], trials);
+    if (other == nullptr) continue;
+    swapped.push_back(&trials[i].swapped);
+    swaps.push_back([&each = cases[i], &options, other] {
+      return RunSwapped(each.scenario, each.perturbation, other->estimated.estimate.difference,
+                        options);
+    });
+  }
+  const std::vector<CameraRun> runs = RunAll(swaps, arguments.jobs);
+  for (std::size_t i = 0; i < runs.size(); ++i) *swapped[i] = runs[i];
+  return trials;
+}
+
+/// Of the unperturbed sequences.
+void Plot(const std::vector<LearningTrial>& trials, const std::string& file) {
+  std::vector<LearningTrial> drawn;
+  for (const LearningTrial& trial : trials) {
+    if (trial.perturbation == Perturbation().title) drawn.push_back(trial);
+  }
+  if (!DrawLearning(drawn, file)) throw Error(file + ": gnuplot is missing or fails");
+}
+
+void AddOptions(CLI::App& app, Arguments& arguments) {
+  app.add_option("--config", arguments.config, "options file instead of the defaults");
+  app.add_option("--json", arguments.json, "where every figure is written");
+  app.add_option("--plot", arguments.plot, "where a picture of k1 over the frames is written");
+  app.add_option("--jobs", arguments.jobs, "trials at once")->check(CLI::Range(1, 1024));
+  app.add_flag("--rendered", arguments.rendered, "rendered scenes alone");
+  app.add_flag("--recorded", arguments.recorded, "recorded sequences alone");
+  app.add_option("--runs", arguments.runs, "of a rendered street and a room, in turn")
+      ->check(CLI::Range(0, 100'000));
+  app.add_option("--blind-runs", arguments.blind_runs, "of either scene that tells nothing")
+      ->check(CLI::Range(0, 100'000));
+  app.add_flag("--refine", arguments.refine, "also rendered scenes after refinement");
+  app.add_option("--perturbations", arguments.perturbations,
+                 "of the recorded sequences, those whose title matches this expression");
+}
+
+int Main(int argc, char** argv) {
+  CLI::App app("How honest, how soon and how useful corvo's estimate of the camera is.");
+  Arguments arguments;
+  AddOptions(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  const OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
+  nlohmann::json json{{"environment", DescribeMachine()}};
+  if (arguments.rendered || !arguments.recorded) {
+    const std::vector<HonestyTrial> trials = RunHonestyTrials(arguments, options);
+    json["honesty"] = trials;
+    fmt::print("{}\n", HonestyTables(trials));
+  }
+  if (arguments.recorded || !arguments.rendered) {
+    const std::vector<LearningTrial> trials = RunLearningTrials(arguments, options);
+    json["learning"] = trials;
+    fmt::print("{}\n{}", LearningTable(trials), SwapTable(trials));
+    if (!arguments.plot.empty()) Plot(trials, arguments.plot);
+  }
+  if (!arguments.json.empty()) std::ofstream(arguments.json) << json.dump(1) << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace corvo::bench
+
+int main(int argc, char** argv) {
+  try {
+    return corvo::bench::Main(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "corvo_calibration_bench: {}\n", error.what());
+    return 1;
+  }
+}
