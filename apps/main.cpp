@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "apps/calibrate.h"
 #include "apps/config.h"
 #include "apps/eval.h"
 #include "apps/features.h"
@@ -23,6 +24,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo synth room -o room                                # a sequence with exact ground truth
   corvo run room --camera room/camera.yaml -o result      # its trajectory and map
   corvo eval result/trajectory.tum room/groundtruth.txt   # how accurate that is
+  corvo calibrate walk.mp4 -o camera.yaml                 # a camera from its video alone
   corvo config > config.yaml                              # every option, its default and meaning
 
 'corvo COMMAND --help' shows the options of a command, with examples.)";
@@ -53,6 +55,7 @@ int Main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.footer(kFooter);
   AddRunCommand(app, exit_code);
+  AddCalibrateCommand(app, exit_code);
   AddEvalCommand(app);
   AddSynthCommand(app);
   AddFeaturesCommand(app);

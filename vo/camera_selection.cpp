@@ -34,10 +34,8 @@ std::vector<FreeParameter> DistortionOf(CameraDescription description) {
               {"p1", kTangentialSigma},
               {"p2", kTangentialSigma}};
     case CameraDescription::kKb4:
-      return {{"k1", kRadialSigma},
-              {"k2", kRadialSigma},
-              {"k3", kRadialSigma},
-              {"k4", kRadialSigma}};
+      return {
+          {"k1", kRadialSigma}, {"k2", kRadialSigma}, {"k3", kRadialSigma}, {"k4", kRadialSigma}};
     case CameraDescription::kFov:
       return {{"omega", kOmegaSigma}};
   }
@@ -45,8 +43,13 @@ std::vector<FreeParameter> DistortionOf(CameraDescription description) {
 }
 
 CameraParameters WithoutDistortion(const CameraParameters& camera) {
-  return {CameraModel::kPinhole, camera.width, camera.height, camera.fx,
-          camera.fy,             camera.cx,    camera.cy};
+  return {CameraModel::kPinhole,
+          camera.width,
+          camera.height,
+          camera.fx,
+          camera.fy,
+          camera.cx,
+          camera.cy};
 }
 
 double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adjustment) {
@@ -92,8 +95,8 @@ CameraCandidate AdjustCandidate(CameraDescription description, const Camera& sta
                                 const std::vector<Bundle>& bundles,
                                 const AdjustmentProgress& progress) {
   CameraCandidate candidate{description, PriorOf(description, start), {}, bundles, 0};
-  candidate.adjustment = AdjustFully(candidate.prior, candidate.prior.given, {}, candidate.bundles,
-                                     progress);
+  candidate.adjustment =
+      AdjustFully(candidate.prior, candidate.prior.given, {}, candidate.bundles, progress);
   candidate.information_criterion = InformationCriterion(candidate.prior, candidate.adjustment);
   return candidate;
 }

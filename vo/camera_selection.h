@@ -27,8 +27,8 @@ std::vector<CameraDescription> AllCameraDescriptions();
 
 /// What is known of a camera so described before its pictures are seen, besides a start: of the
 /// focal length nothing, of the principal point that it lies near the picture's centre (sigma: 2%
-/// of the width), of its distortion that it is not beyond what lenses have (sigma: radial terms 0.3,
-/// tangential ones 0.01, omega 1). Pixels are square: fx and fy keep their ratio.
+/// of the width), of its distortion that it is not beyond what lenses have (sigma: radial terms
+/// 0.3, tangential ones 0.01, omega 1). Pixels are square: fx and fy keep their ratio.
 CameraPrior PriorOf(CameraDescription description, const Camera& start);
 
 /// Bundles adjusted with a camera so described.

@@ -100,9 +100,9 @@ TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
   EXPECT_GT(num_more, num_keyframes);
   EXPECT_LE(num_more, 2 * num_keyframes + 1);
   options.sequence.frames_between = 9;
-  options.max_frames = 2 * num_keyframes;
+  options.sequence.max_frames = 2 * num_keyframes;
   EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_more);
-  options.max_frames = num_keyframes;
+  options.sequence.max_frames = num_keyframes;
   EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_keyframes);
 }
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace corvo {
+
+/// Adds `corvo calibrate`; sets `exit_code` when it has run.
+void AddCalibrateCommand(CLI::App& app, int& exit_code);
+
+}  // namespace corvo
