@@ -39,9 +39,9 @@ that the Bayesian information criterion does not clearly reject. The camera file
 deviations; beside it a picture shows what is left over.
 
 Examples:
-  corvo calibrate walk.mp4 -o camera.yaml
-  corvo calibrate walk1.mp4 walk2.mp4 pictures/ -o camera.yaml --every 2
-  corvo calibrate walk.mp4 --model radtan -o camera.yaml
+  corvo calibrate drive.mp4 -o camera.yaml
+  corvo calibrate drive.mp4 images/ -o camera.yaml --every 2
+  corvo calibrate drive.mp4 --model radtan -o camera.yaml
 
 Exit codes: 0 done, 1 wrong usage or input, 2 no input could be tracked or adjusted, 130 interrupted.)";
 

@@ -61,7 +61,7 @@ std::string EstimateText(const CameraCandidate& candidate) {
 }
 
 std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) {
-  constexpr double kMaxFocalSigma = 0.02;
+  constexpr double kMaxFocalSigma = 0.01;
   constexpr double kMinShare = 0.5;
   std::vector<std::string> warnings;
   bool is_center_told = true, is_distortion_told = true;
@@ -71,7 +71,7 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
     const bool is_told = ShareFromData(parameter, sigma[i].sigma) >= kMinShare;
     if (parameter.name == "focal" && !(sigma[i].sigma <= kMaxFocalSigma)) {
       warnings.push_back(fmt::format(
-          "the motion does not determine the focal length (to within {:.0f}%): turn while moving, "
+          "the motion does not determine the focal length (known to {:.1f}%): turn while moving, "
           "among things near and far, not straight ahead and not before a wall",
           100 * sigma[i].sigma));
     }

@@ -24,7 +24,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo synth room -o room                                # a sequence with exact ground truth
   corvo run room --camera room/camera.yaml -o result      # its trajectory and map
   corvo eval result/trajectory.tum room/groundtruth.txt   # how accurate that is
-  corvo calibrate walk.mp4 -o camera.yaml                 # a camera from its video alone
+  corvo calibrate drive.mp4 -o camera.yaml                # a camera from its video alone
   corvo config > config.yaml                              # every option, its default and meaning
 
 'corvo COMMAND --help' shows the options of a command, with examples.)";

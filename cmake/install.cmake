@@ -19,6 +19,7 @@ install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
   FILES_MATCHING PATTERN "*.h"
   PATTERN "*-inl.h" EXCLUDE
   PATTERN "workers.h" EXCLUDE
+  PATTERN "adjusted_camera.h" EXCLUDE
   PATTERN "bundle_problem.h" EXCLUDE
   PATTERN "reprojection_cost.h" EXCLUDE
   PATTERN "se3_manifold.h" EXCLUDE

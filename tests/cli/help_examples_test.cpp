@@ -66,7 +66,7 @@ TEST_P(HelpExamples, Run) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, HelpExamples,
                          testing::Values("", "run", "eval", "synth", "config", "features", "match",
-                                         "learn"),
+                                         "learn", "calibrate"),
                          [](const auto& param_info) {
                            return *param_info.param ? std::string(param_info.param) : "corvo";
                          });

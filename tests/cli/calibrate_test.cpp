@@ -1,0 +1,65 @@
+#include <gmock/gmock.h>
+
+#include "tests/cli/command.h"
+#include "tests/cli/tiny_sequence.h"
+#include "vo/config.h"
+
+namespace corvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Calibrate : public testing::Test {
+ protected:
+  void ExpectError(const CommandResult& result, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, testing::ContainsRegex("corvo: error: .*" + message));
+  }
+
+  TempFolder folder_;
+  fs::path camera_ = folder_ / "out/camera.yaml";
+};
+
+TEST_F(Calibrate, FindsACameraFromItsPicturesAlone) {
+  const fs::path room = folder_ / "room";
+  ASSERT_EQ(RunCorvo({"synth", "room", "-o", room, "--frames", "80", "--width", "400"}).exit_code,
+            0);
+  const Camera truth = ReadCameraFile(room / "camera.yaml").camera;
+  fs::remove(room / "camera.yaml");
+  const CommandResult result = RunCorvo({"calibrate", room / "rgb", "-o", camera_});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("* pinhole "));
+  EXPECT_TRUE(fs::exists(folder_ / "out/camera_residuals.png"));
+  const CameraFile found = ReadCameraFile(camera_);
+  EXPECT_NEAR(found.camera.fx(), truth.fx(), 0.02 * truth.fx());
+  ASSERT_TRUE(found.sigma);
+  EXPECT_EQ(found.sigma->front().name, "focal");
+  EXPECT_LT(found.sigma->front().sigma, 0.02);
+  const fs::path again = folder_ / "again/camera.yaml";
+  ASSERT_EQ(RunCorvo({"calibrate", room / "rgb", "-o", again, "--threads", "2"}).exit_code, 0);
+  EXPECT_EQ(ReadText(again), ReadText(camera_));
+}
+
+TEST_F(Calibrate, WritesNothingWhereNothingCanBeTracked) {
+  WriteFolder(folder_ / "noise", 5);
+  const CommandResult result = RunCorvo({"calibrate", folder_ / "noise", "-o", camera_});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("no input could be tracked: nothing is written"));
+  EXPECT_FALSE(fs::exists(camera_));
+}
+
+TEST_F(Calibrate, NamesBadInput) {
+  WriteFolder(folder_ / "noise", 3);
+  WriteImage(folder_ / "large/0.png", TinyImage(0, 128, 96));
+  ExpectError(RunCorvo({"calibrate", "camera:97", "-o", camera_}), "camera:97: is a live camera");
+  ExpectError(RunCorvo({"calibrate", folder_ / "noise", "-o", folder_ / "noise"}),
+              "is a folder; the camera is written to a file");
+  ExpectError(RunCorvo({"calibrate", folder_ / "noise", folder_ / "large", "-o", camera_}),
+              "the picture is 128 x 96 px, the camera 96 x 64 px");
+  EXPECT_THAT(RunCorvo({"calibrate", folder_ / "noise", "-o", camera_, "--model", "omni"}).err,
+              HasSubstr("--model"));
+}
+
+}  // namespace
+}  // namespace corvo::test

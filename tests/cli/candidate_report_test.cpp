@@ -1,0 +1,61 @@
+#include "apps/candidate_report.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A lowered candidate whose parameters are known to these.
+CameraCandidate Known(CameraDescription description, const std::vector<double>& sigma) {
+  CameraCandidate candidate;
+  candidate.description = description;
+  candidate.prior = PriorOf(description, test::PinholeCamera());
+  candidate.adjustment.outcome = AdjustmentOutcome::kLowered;
+  candidate.adjustment.camera = candidate.prior.given;
+  candidate.adjustment.final_cost = 1234.5;
+  const Eigen::VectorXd variances =
+      Eigen::Map<const Eigen::VectorXd>(sigma.data(), static_cast<int>(sigma.size())).cwiseAbs2();
+  candidate.adjustment.covariance = variances.asDiagonal();
+  return candidate;
+}
+
+TEST(CandidateReportTest, WhatTheMotionTellsNeedsNoWarning) {
+  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.005, 1, 1})), IsEmpty());
+}
+
+TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
+  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.05, 1, 1})),
+              ElementsAre(HasSubstr("focal length (known to 5.0%): turn while moving")));
+  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.005, 12, 1})),
+              ElementsAre(HasSubstr("principal point")));
+  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kFov, {0.005, 1, 1, 0.9})),
+              ElementsAre(HasSubstr("distortion")));
+}
+
+TEST(CandidateReportTest, GivesValuesSigmasAndCorrelations) {
+  CameraCandidate candidate = Known(CameraDescription::kPinhole, {0.01, 2, 4});
+  candidate.adjustment.covariance(2, 1) = candidate.adjustment.covariance(1, 2) = -4;
+  const std::string text = EstimateText(candidate);
+  EXPECT_THAT(text, HasSubstr("focal              500            5"));
+  EXPECT_THAT(text, HasSubstr(" focal +0.00 cx -0.50\n"));
+  EXPECT_EQ(EstimatedSigma(candidate)[1], (FreeParameter{"cx", 2}));
+}
+
+TEST(CandidateReportTest, MarksTheSelectedModel) {
+  std::vector<CameraCandidate> candidates{Known(CameraDescription::kPinhole, {0.01, 2, 4}),
+                                          Known(CameraDescription::kFov, {0.01, 2, 4, 0.1})};
+  candidates[1].adjustment.outcome = AdjustmentOutcome::kSolverFailed;
+  const std::string text = CandidatesText(candidates, 0);
+  EXPECT_THAT(text, HasSubstr("\n* pinhole           3 "));
+  EXPECT_THAT(text, HasSubstr(" 1234.5 "));
+  EXPECT_THAT(text, HasSubstr("\n  fov               4 not found\n"));
+}
+
+}  // namespace
+}  // namespace corvo
