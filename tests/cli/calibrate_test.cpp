@@ -2,6 +2,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 #include "vo/config.h"
 
 namespace corvo::test {
@@ -39,6 +40,17 @@ TEST_F(Calibrate, FindsACameraFromItsPicturesAlone) {
   const fs::path again = folder_ / "again/camera.yaml";
   ASSERT_EQ(RunCorvo({"calibrate", room / "rgb", "-o", again, "--threads", "2"}).exit_code, 0);
   EXPECT_EQ(ReadText(again), ReadText(camera_));
+}
+
+TEST_F(Calibrate, FindsTheFocalLengthOfKittiFromATurn) {
+  CORVO_REQUIRE_DATA("kitti/sequences/05");
+  const CommandResult result =
+      RunCorvo({"calibrate", DataPath("kitti/sequences/05"), "-o", camera_, "--model", "radtan"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const CameraFile found = ReadCameraFile(camera_);
+  constexpr double kTruth = 707.0912;
+  EXPECT_NEAR(found.camera.fx(), kTruth, 0.02 * kTruth);
+  EXPECT_NEAR(found.camera.parameters().k1, 0.02, 0.015);
 }
 
 TEST_F(Calibrate, WritesNothingWhereNothingCanBeTracked) {
