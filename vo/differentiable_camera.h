@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,8 +11,8 @@
 
 namespace corvo {
 
-/// A camera and what its pixels become when the free parameters of a prior change, by central
-/// differences: whatever the model.
+/// A camera and what its pixels become when the free parameters of a prior change: in closed form
+/// but for the distortion of kb4 and fov, which is by central differences.
 class DifferentiableCamera {
  public:
   static constexpr int kMaxFree = 12;
@@ -27,13 +28,20 @@ class DifferentiableCamera {
   Jacobian PixelByDifference(const Eigen::Vector3d& in_camera, const Eigen::Vector2d& pixel) const;
 
  private:
-  struct Neighbors {
-    std::optional<Camera> below, above;  // None at the end of a parameter's range.
-    double step = 0;                     // From the camera to either.
+  enum class Effect { kFocal, kFx, kFy, kCx, kCy, kK1, kK2, kP1, kP2, kK3, kByDifference };
+
+  /// Of a free parameter.
+  struct Derivative {
+    Effect effect;
+    std::optional<Camera> below, above;  // By difference; none at the end of the range.
   };
 
+  static Effect EffectOf(const std::string& name, CameraModel model);
+  Eigen::Vector2d PixelByParameter(const Derivative& derivative, const Eigen::Vector3d& in_camera,
+                                   const Eigen::Vector2d& pixel) const;
+
   Camera camera_;
-  std::vector<Neighbors> neighbors_;  // One a free parameter.
+  std::vector<Derivative> derivatives_;  // One a free parameter.
 };
 
 }  // namespace corvo

@@ -54,7 +54,7 @@ bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
   constexpr int kMaxFramesBeside = 20;
-  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_);
+  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 2);
   const AdjustmentWindow window = SelectNewestKeyframes(
       map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
   calibration_.result = std::async(

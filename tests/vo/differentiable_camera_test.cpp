@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/matchers.h"
+#include "tests/support/numeric_jacobian.h"
 #include "tests/support/point_scene.h"
 
 namespace corvo {
@@ -32,6 +33,29 @@ TEST(DifferentiableCameraTest, ItsDerivativeIsTheAnalyticOne) {
       Eigen::MatrixXd(camera.PixelByDifference(kPoint, pixel)),
       test::IsMatrixNear(
           AnalyticDerivative(camera.camera().parameters(), kPoint.hnormalized(), pixel), 1e-5));
+}
+
+TEST(DifferentiableCameraTest, EveryDerivativeIsTheNumericOne) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.k1 = -0.1;
+  given.p2 = 0.01;
+  for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kKb4}) {
+    given.model = model;
+    if (model == CameraModel::kKb4) given.p2 = 0;
+    CameraPrior prior{given, {}};
+    for (const std::string& name : FreeParameterNames(model)) {
+      prior.free = {{name}};
+      const auto pixel_at = [&](const Eigen::Matrix<double, 1, 1>& difference) {
+        return *Camera(prior.Apply(difference)).Project(kPoint);
+      };
+      const Eigen::Matrix<double, 1, 1> none = Eigen::Matrix<double, 1, 1>::Zero();
+      const DifferentiableCamera camera(prior, none);
+      EXPECT_THAT(
+          Eigen::MatrixXd(camera.PixelByDifference(kPoint, pixel_at(none))),
+          test::IsMatrixNear(Eigen::MatrixXd(test::NumericJacobianAt<2, 1>(none, pixel_at)), 1e-3))
+          << name;
+    }
+  }
 }
 
 TEST(DifferentiableCameraTest, ThePrincipalPointMovesThePictureAndAFocalLengthOneAxis) {
