@@ -17,6 +17,7 @@
 #include "apps/output_folder.h"
 #include "apps/progress_line.h"
 #include "apps/residual_plot.h"
+#include "apps/run_inputs.h"
 #include "apps/sightings_spool.h"
 #include "orb/error.h"
 #include "vo/camera_selection.h"
@@ -29,7 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kNotCalibrated = 2;
-constexpr int kInterrupted = 130;  // As shells have it for SIGINT.
 
 constexpr const char* kFooter =
     R"(All inputs are of one camera with one setting of its zoom and focus. The focal length starts from a
@@ -186,11 +186,7 @@ void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
 }
 
 int Calibrate(const CalibrateArguments& arguments) {
-  if (fs::is_directory(arguments.output) || !arguments.output.has_filename()) {
-    throw Error(
-        fmt::format("{}: is a folder; the camera is written to a file", arguments.output.string()));
-  }
-  const OutputFolder probe(fs::absolute(arguments.output).parent_path());
+  CheckOutputFile(arguments.output, "the camera");
   const std::vector<CameraCandidate> candidates = Calibration(arguments).Run();
   const int selected = SelectCandidate(candidates);
   if (selected == kNoId) {
@@ -235,12 +231,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of images without times")
       ->check(CLI::Range(1e-3, 1e6));
-  command->add_option("--start", arguments->selection.start, "index of the first image, from 0")
-      ->check(CLI::Range(0, 1000000000));
-  command->add_option("--every", arguments->selection.every, "of so many images one is read")
-      ->check(CLI::Range(1, 1000000000));
-  command->add_option("--count", arguments->selection.count, "images of each input, at most")
-      ->check(CLI::Range(1, 1000000000));
+  AddSelectionOptions(*command, arguments->selection);
   command->add_option("--threads", arguments->threads, "threads; never changes the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

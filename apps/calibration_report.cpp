@@ -1,7 +1,5 @@
 #include "apps/calibration_report.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,26 +7,16 @@ namespace corvo {
 
 namespace {
 
-/// The field that shows a parameter: of "focal", which changes fx and fy alike, it is fx.
-std::string FieldOf(const FreeParameter& parameter) {
-  return parameter.name == "focal" ? "fx" : parameter.name;
-}
-
-double ValueOf(const CameraParameters& camera, const std::string& field) {
-  double found = 0;
-  CameraParameters::Visit(camera, [&](const char* name, const auto& value, auto&&...) {
-    if (field == name) found = static_cast<double>(value);
-  });
-  return found;
-}
-
-CalibrationReport::Estimate ReportParameter(const CameraPrior& prior,
-                                            const CameraParameters& camera, int i, double sigma) {
-  const FreeParameter& parameter = prior.free[i];
-  const std::string field = FieldOf(parameter);
-  CalibrationReport::Estimate estimate{field, ValueOf(prior.given, field), ValueOf(camera, field),
-                                       sigma, 1 - std::pow(sigma / parameter.sigma, 2)};
-  if (parameter.name == "focal") estimate.sigma *= camera.fx;
+CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
+                                            const CameraParameters& given,
+                                            const CameraParameters& camera, double sigma) {
+  CalibrationReport::Estimate estimate{parameter.name, ValueOf(given, parameter.name),
+                                       ValueOf(camera, parameter.name), sigma,
+                                       ShareFromPictures(parameter, sigma)};
+  if (parameter.name == "focal") {  // Shown by fx, in its unit.
+    estimate.name = "fx";
+    estimate.sigma *= camera.fx;
+  }
   return estimate;
 }
 
@@ -41,13 +29,11 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
   CalibrationReport report;
   report.contradicts_given = odometry.contradicts_given_camera();
   report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
-  const Eigen::VectorXd sigmas =
-      (is_refined ? refinement->adjustment.covariance : odometry.camera_estimate().covariance)
-          .diagonal()
-          .cwiseSqrt();
+  report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.covariance
+                                                  : odometry.camera_estimate().covariance);
   for (int i = 0; i < prior.num_free(); ++i) {
-    report.sigma.push_back({prior.free[i].name, sigmas[i]});
-    report.estimates.push_back(ReportParameter(prior, report.camera, i, sigmas[i]));
+    report.estimates.push_back(
+        ReportParameter(prior.free[i], prior.given, report.camera, report.sigma[i].sigma));
   }
   return report;
 }

@@ -1,23 +1,9 @@
 #include "apps/candidate_report.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 namespace corvo {
 namespace {
-
-double ShareFromData(const FreeParameter& parameter, double sigma) {
-  return 1 - std::pow(sigma / parameter.sigma, 2);
-}
-
-double ValueOf(const CameraParameters& camera, const std::string& name) {
-  double found = name == "focal" ? camera.fx : 0;
-  CameraParameters::Visit(camera, [&](const char* field, const auto& value, auto&&...) {
-    if (name == field) found = static_cast<double>(value);
-  });
-  return found;
-}
 
 bool IsDistortion(const std::string& name) {
   return name != "focal" && name != "cx" && name != "cy";
@@ -68,7 +54,7 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
   const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
   for (std::size_t i = 0; i < sigma.size(); ++i) {
     const FreeParameter& parameter = candidate.prior.free[i];
-    const bool is_told = ShareFromData(parameter, sigma[i].sigma) >= kMinShare;
+    const bool is_told = ShareFromPictures(parameter, sigma[i].sigma) >= kMinShare;
     if (parameter.name == "focal" && !(sigma[i].sigma <= kMaxFocalSigma)) {
       warnings.push_back(fmt::format(
           "the motion does not determine the focal length (known to {:.1f}%): turn while moving, "
@@ -92,11 +78,7 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
 }
 
 std::vector<FreeParameter> EstimatedSigma(const CameraCandidate& candidate) {
-  std::vector<FreeParameter> sigma = candidate.prior.free;
-  for (std::size_t i = 0; i < sigma.size(); ++i) {
-    sigma[i].sigma = std::sqrt(candidate.adjustment.covariance(i, i));
-  }
-  return sigma;
+  return Posterior(candidate.prior.free, candidate.adjustment.covariance);
 }
 
 }  // namespace corvo

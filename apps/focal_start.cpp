@@ -14,10 +14,8 @@ namespace {
 
 constexpr int kMaxPairs = 16;  // Of all sequences.
 
-/// Of files, how many are selected; else they are counted.
-int CountPictures(const ImageOpener& open) {
-  ImageSource source = open();
-  if (!source.list().images.empty()) return *source.size();
+/// Of a sequence whose end alone tells.
+int CountPictures(ImageSource source) {
   int count = 0;
   while (source.Skip()) ++count;
   return count;
@@ -26,8 +24,9 @@ int CountPictures(const ImageOpener& open) {
 /// Adds a sequence's pairs, and checks or sets the size of its pictures.
 void AddPairs(const ImageOpener& open, int max_pairs, cv::Size& size,
               std::vector<PixelMatches>& pairs) {
-  PicturePairs sequence(CountPictures(open), max_pairs);
   ImageSource source = open();
+  const bool is_counted = !source.list().images.empty();
+  PicturePairs sequence(is_counted ? *source.size() : CountPictures(open()), max_pairs);
   const TimedImage& first = source.First();
   if (size.empty()) size = first.image.size();
   for (int i = 0;; ++i) {

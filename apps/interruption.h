@@ -4,6 +4,9 @@
 
 namespace corvo {
 
+/// Exit code of a command that was interrupted, as shells have it for SIGINT.
+inline constexpr int kInterrupted = 130;
+
 /// While it lives, Ctrl-C (SIGINT) and SIGTERM no longer end the process but wait to be asked for,
 /// so that files are never left half-written. Of this thread and those that it starts.
 class Interruption {

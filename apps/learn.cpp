@@ -135,17 +135,8 @@ std::string FileText(const LearnArguments& arguments, int num_pictures, int num_
   return text + orb::PatternText(result.pattern);
 }
 
-/// Throws corvo::Error where a file of that name could not be written.
-void CheckOutput(const fs::path& file, const fs::path& folder) {
-  if (fs::is_directory(file) || !file.has_filename()) {
-    throw Error(fmt::format("{}: is a folder; the pattern is written to a file", file.string()));
-  }
-  const OutputFolder probe(folder);
-}
-
 void Learn(const LearnArguments& arguments) {
-  const fs::path folder = fs::absolute(arguments.output).parent_path();
-  CheckOutput(arguments.output, folder);
+  CheckOutputFile(arguments.output, "the pattern");
   if (arguments.source.find_first_of("\r\n\\") != std::string::npos) {
     throw Error("--source must be one line, without backslashes");
   }
@@ -155,7 +146,7 @@ void Learn(const LearnArguments& arguments) {
   const orb::LearningResult result = orb::LearnPattern(
       training, arguments.threads,
       [&](const orb::SelectionProgress& progress) { report.ShowSelection(progress); });
-  OutputFolder output(folder);
+  OutputFolder output(fs::absolute(arguments.output).parent_path());
   const std::string name = arguments.output.filename().string();
   output.Write(name,
                FileText(arguments, static_cast<int>(pictures.size()), training.size(), result));

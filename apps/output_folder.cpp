@@ -56,4 +56,11 @@ void OutputFolder::Commit(const std::vector<std::string>& names) {
   }
 }
 
+void CheckOutputFile(const fs::path& file, std::string_view what) {
+  if (fs::is_directory(file) || !file.has_filename()) {
+    throw Error(fmt::format("{}: is a folder; {} is written to a file", file.string(), what));
+  }
+  const OutputFolder probe(fs::absolute(file).parent_path());
+}
+
 }  // namespace corvo

@@ -33,4 +33,7 @@ class OutputFolder {
   bool made_folder_ = false;
 };
 
+/// Throws corvo::Error where `what` ("the camera") could not be written to a file of that name.
+void CheckOutputFile(const std::filesystem::path& file, std::string_view what);
+
 }  // namespace corvo

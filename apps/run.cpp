@@ -21,8 +21,6 @@
 namespace corvo {
 namespace {
 
-constexpr int kInterrupted = 130;  // As shells have it for SIGINT.
-
 constexpr const char* kFooter = R"(Examples:
   corvo run sequences/03 -o result                    # KITTI odometry, its own calibration
   corvo run sequences/03 --gt poses/03.txt -o result  # ... and how far off it is

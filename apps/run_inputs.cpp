@@ -114,6 +114,15 @@ cv::Size ParseResize(const std::string& text, const cv::Size& size) {
   return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
 }
 
+void AddSelectionOptions(CLI::App& command, Selection& selection) {
+  command.add_option("--start", selection.start, "index of the first image, from 0")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_option("--every", selection.every, "of so many images one is read")
+      ->check(CLI::Range(1, 1000000000));
+  command.add_option("--count", selection.count, "images to read, at most")
+      ->check(CLI::Range(1, 1000000000));
+}
+
 void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("INPUT", arguments.input,
@@ -133,12 +142,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
       .add_option("--fps", arguments.frame_rate_hz,
                   "frames a second of images without times, or instead of a video's times")
       ->check(CLI::Range(1e-3, 1e6));
-  command.add_option("--start", arguments.selection.start, "index of the first image, from 0")
-      ->check(CLI::Range(0, 1000000000));
-  command.add_option("--every", arguments.selection.every, "of so many images one is read")
-      ->check(CLI::Range(1, 1000000000));
-  command.add_option("--count", arguments.selection.count, "images to read, at most")
-      ->check(CLI::Range(1, 1000000000));
+  AddSelectionOptions(command, arguments.selection);
   command.add_option("--resize", arguments.resize,
                      "WxH in px or a factor; the camera is scaled with the images");
   command.add_option("--mask", arguments.mask,

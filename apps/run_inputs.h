@@ -42,6 +42,9 @@ struct RunInputs {
   RunTruth truth;
 };
 
+/// Adds --start, --every and --count.
+void AddSelectionOptions(CLI::App& command, Selection& selection);
+
 /// Adds INPUT and the options that say which pictures are read, and how.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 

@@ -61,8 +61,7 @@ NormalEquations<kMaxFitted> BuildEquations(const CameraPrior& prior, const Diffe
 
 /// Near enough to a camera for the fit to begin: at small angles all models are alike.
 CameraParameters StartOf(const CameraParameters& camera, CameraModel model) {
-  CameraParameters start{model,     camera.width, camera.height, camera.fx,
-                         camera.fy, camera.cx,    camera.cy};
+  CameraParameters start = WithoutDistortion(camera, model);
   if (model == CameraModel::kFov) start.omega = 0.1;  // At 0 it has no derivative.
   if (model == CameraModel::kKb4) {                   // The pinhole's tan(theta).
     start.k1 = 1.0 / 3;
@@ -85,6 +84,10 @@ std::vector<std::string> DistortionNames(CameraModel model) {
       return {"omega"};
   }
   return {};
+}
+
+CameraParameters WithoutDistortion(const CameraParameters& camera, CameraModel model) {
+  return {model, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy};
 }
 
 CameraParameters FitCamera(const Camera& camera, CameraModel model) {

@@ -7,6 +7,7 @@
 
 #include "orb/error.h"
 #include "vo/camera.h"
+#include "vo/chi_square.h"
 
 namespace corvo {
 namespace {
@@ -24,10 +25,6 @@ auto FindField(Parameters& camera, const std::string& name) -> decltype(&camera.
   });
   return found;
 }
-
-/// 99.9% quantiles of the χ² distribution with 0, 1, 2, ... degrees of freedom.
-constexpr double kChiSquare999[] = {0,      10.828, 13.816, 16.266, 18.467, 20.515, 22.458,
-                                    24.322, 26.124, 27.877, 29.588, 31.264, 32.909};
 
 std::vector<std::string> FieldsOf(const std::string& name) {
   if (name == kFocal) return {"fx", "fy"};
@@ -86,7 +83,7 @@ Eigen::VectorXd CameraPrior::Difference(const CameraParameters& camera) const {
   for (int i = 0; i < num_free(); ++i) {
     difference[i] = free[i].name == kFocal
                         ? std::log(camera.fx / given.fx)
-                        : *FindField(camera, free[i].name) - *FindField(given, free[i].name);
+                        : ValueOf(camera, free[i].name) - ValueOf(given, free[i].name);
   }
   return difference;
 }
@@ -124,6 +121,22 @@ CameraEstimate PriorEstimate(const CameraPrior& prior) {
   Eigen::VectorXd variances(prior.num_free());
   for (int i = 0; i < prior.num_free(); ++i) variances[i] = std::pow(prior.free[i].sigma, 2);
   return {Eigen::VectorXd::Zero(prior.num_free()), variances.asDiagonal()};
+}
+
+std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
+                                     const Eigen::MatrixXd& covariance) {
+  for (int i = 0; i < static_cast<int>(free.size()); ++i) {
+    free[i].sigma = std::sqrt(covariance(i, i));
+  }
+  return free;
+}
+
+double ShareFromPictures(const FreeParameter& parameter, double sigma) {
+  return 1 - std::pow(sigma / parameter.sigma, 2);
+}
+
+double ValueOf(const CameraParameters& camera, const std::string& name) {
+  return *FindField(camera, FieldsOf(name).front());
 }
 
 }  // namespace corvo

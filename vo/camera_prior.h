@@ -72,4 +72,15 @@ struct CameraEstimate {
 /// What is known before the first picture.
 CameraEstimate PriorEstimate(const CameraPrior& prior);
 
+/// The free parameters, known as the covariance of their difference says.
+std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
+                                     const Eigen::MatrixXd& covariance);
+
+/// What of the information about a parameter came from the pictures, 0 to 1: the rest was known
+/// before. `sigma` is what is known with them.
+double ShareFromPictures(const FreeParameter& parameter, double sigma);
+
+/// A parameter that the camera's model has; of "focal" it is fx.
+double ValueOf(const CameraParameters& camera, const std::string& name);
+
 }  // namespace corvo

@@ -42,16 +42,6 @@ std::vector<FreeParameter> DistortionOf(CameraDescription description) {
   return {};
 }
 
-CameraParameters WithoutDistortion(const CameraParameters& camera) {
-  return {CameraModel::kPinhole,
-          camera.width,
-          camera.height,
-          camera.fx,
-          camera.fy,
-          camera.cx,
-          camera.cy};
-}
-
 double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adjustment) {
   if (adjustment.outcome != AdjustmentOutcome::kLowered) {
     return std::numeric_limits<double>::infinity();
@@ -84,7 +74,8 @@ CameraPrior PriorOf(CameraDescription description, const Camera& start) {
   const double center_sigma = 0.02 * start.width();
   CameraPrior prior{FitCamera(start, ModelOf(description)),
                     {{"focal"}, {"cx", center_sigma}, {"cy", center_sigma}}};
-  if (description == CameraDescription::kPinhole) prior.given = WithoutDistortion(prior.given);
+  if (description == CameraDescription::kPinhole)
+    prior.given = WithoutDistortion(prior.given, CameraModel::kPinhole);
   prior.given.cx = 0.5 * (start.width() - 1);
   prior.given.cy = 0.5 * (start.height() - 1);
   for (const FreeParameter& parameter : DistortionOf(description)) prior.free.push_back(parameter);

@@ -7,4 +7,8 @@ namespace corvo {
 inline constexpr double kChiSquare1Dof95 = 3.841458820694124;
 inline constexpr double kChiSquare2Dof95 = 5.991464547107979;
 
+/// 99.9% quantiles with 0, 1, 2, ... degrees of freedom.
+inline constexpr double kChiSquare999[] = {0,      10.828, 13.816, 16.266, 18.467, 20.515, 22.458,
+                                           24.322, 26.124, 27.877, 29.588, 31.264, 32.909};
+
 }  // namespace corvo

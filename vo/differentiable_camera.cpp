@@ -22,8 +22,7 @@ std::optional<Camera> TryCamera(const CameraParameters& parameters) {
 
 /// d (x_d, y_d) / d p1 (axis 1) or d p2 (axis 0) of a point at (x/z, y/z).
 Eigen::Vector2d TangentialEffect(const Eigen::Vector2d& normalized, int axis) {
-  const Eigen::Vector2d both = Eigen::Vector2d::Constant(2 * normalized.x() * normalized.y());
-  Eigen::Vector2d effect = both;
+  Eigen::Vector2d effect = Eigen::Vector2d::Constant(2 * normalized.x() * normalized.y());
   effect[axis] = normalized.squaredNorm() + 2 * normalized[axis] * normalized[axis];
   return effect;
 }

@@ -1,9 +1,9 @@
 #include "bench/calibration/camera_run.h"
 
 #include <limits>
-#include <set>
 #include <vector>
 
+#include "apps/outcome.h"
 #include "apps/sightings_spool.h"
 #include "orb/error.h"
 #include "vo/evaluation.h"
@@ -39,14 +39,6 @@ double Ate(const Trajectory& trajectory, const PoseSequence& truth) {
   }
 }
 
-int CountSegments(const Trajectory& trajectory) {
-  std::set<int> segments;
-  for (const FrameResult& frame : trajectory.frames) {
-    if (frame.world_from_camera) segments.insert(frame.segment);
-  }
-  return static_cast<int>(segments.size());
-}
-
 void AddRefined(const Odometry& odometry, const Refinement& refinement, const PoseSequence& truth,
                 CameraRun& run) {
   if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return;
@@ -72,7 +64,7 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
   CameraRun run;
   run.ate = run.refined_ate = Ate(trajectory, recording.truth);
   run.posed_share = trajectory.PosedShare();
-  run.segments = CountSegments(trajectory);
+  run.segments = CountPosedSegments(trajectory);
   run.contradicts_given_camera = odometry.contradicts_given_camera();
   run.estimate = run.refined_estimate = odometry.camera_estimate();
   if (refine) {

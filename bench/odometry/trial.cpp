@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
 
+#include "apps/outcome.h"
 #include "apps/sightings_spool.h"
 #include "bench/clocks.h"
 #include "orb/error.h"
@@ -17,18 +17,16 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 void CountFrames(const Trajectory& trajectory, TrialResult& result) {
-  std::set<int> segments;
   bool was_posed = false;
   for (const FrameResult& frame : trajectory.frames) {
     const bool is_posed = frame.world_from_camera.has_value();
-    if (is_posed) segments.insert(frame.segment);
     result.losses += was_posed && !is_posed;
     was_posed = is_posed;
   }
   result.frames = static_cast<int>(trajectory.frames.size());
   result.posed_share = trajectory.PosedShare();
   result.rotation_share = static_cast<double>(trajectory.Rotations().size()) / result.frames;
-  result.segments = static_cast<int>(segments.size());
+  result.segments = CountPosedSegments(trajectory);
 }
 
 void MeasureRotation(const Trajectory& trajectory, const PoseSequence& truth, TrialResult& result) {

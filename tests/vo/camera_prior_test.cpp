@@ -75,6 +75,22 @@ TEST(CameraPriorTest, SigmasInPixelsAreResizedWithThePictures) {
             (std::vector<FreeParameter>{{"focal", 0.01}, {"cx", 1}, {"cy", 0.75}, {"k1", 0.1}}));
 }
 
+TEST(CameraPriorTest, ThePosteriorIsKnownAsItsCovarianceSays) {
+  const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.2}});
+  const Eigen::Matrix2d covariance = Eigen::Vector2d(0.005 * 0.005, 0.1 * 0.1).asDiagonal();
+  EXPECT_EQ(Posterior(prior.free, covariance),
+            (std::vector<FreeParameter>{{"focal", 0.005}, {"k1", 0.1}}));
+  EXPECT_DOUBLE_EQ(ShareFromPictures(prior.free[0], 0.005), 0.75);
+  EXPECT_EQ(ShareFromPictures({"cx"}, 3), 1) << "nothing was known before";
+}
+
+TEST(CameraPriorTest, OfFocalTheValueIsFx) {
+  CameraParameters camera = test::PinholeCamera().parameters();
+  camera.fy = 510;
+  EXPECT_EQ(ValueOf(camera, "focal"), camera.fx);
+  EXPECT_EQ(ValueOf(camera, "fy"), 510);
+}
+
 TEST(CameraPriorTest, NamesWhatMayBeFree) {
   EXPECT_THAT(FreeParameterNames(CameraModel::kFov),
               testing::ElementsAre("focal", "fx", "fy", "cx", "cy", "omega"));
