@@ -66,8 +66,9 @@ void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<Landmar
   recent = on_trial;
 }
 
-void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) {
-  std::vector<KeyframeId> candidates;
+std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest,
+                                      const KeyframeOptions& options) {
+  std::vector<KeyframeId> candidates, retired;
   for (const Covisible& covisible : map.FindCovisible(newest)) {
     candidates.push_back(covisible.keyframe);
   }
@@ -76,8 +77,11 @@ void CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) 
     if (IsFirstOfSegment(map, map.keyframe(id))) continue;
     if (RedundantShare(map, map.keyframe(id)) <= options.max_redundant_share) continue;
     const std::vector<Covisible> neighbors = map.FindCovisible(id);
-    if (!neighbors.empty()) map.RetireKeyframe(id, neighbors.front().keyframe);
+    if (neighbors.empty()) continue;
+    map.RetireKeyframe(id, neighbors.front().keyframe);
+    retired.push_back(id);
   }
+  return retired;
 }
 
 std::vector<FinishedLandmark> ArchiveKeyframes(

@@ -1,10 +1,59 @@
 #include "vo/frame_records.h"
 
-namespace corvo {
+#include <iterator>
 
-void FrameRecords::SetPose(int frame, KeyframeId keyframe, const SE3& keyframe_from_camera) {
+namespace corvo {
+namespace {
+
+/// The first at a share of 0, the second at 1.
+SE3 Interpolate(const SE3& first, const SE3& second, double share) {
+  return first * SE3::Exp(share * (first.Inverse() * second).Log());
+}
+
+}  // namespace
+
+void FrameRecords::SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map) {
+  Record& record = records_[frame];
+  record.keyframe = FindKeyframe(frame, segment, map);
+  record.from_camera = map.WorldFromKeyframe(record.keyframe).Inverse() * world_from_camera;
+}
+
+KeyframeId FrameRecords::FindKeyframe(int frame, int segment, const Map& map) const {
+  KeyframeId found = kNoId;
+  for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe) {
+    if (map.SegmentOf(keyframe->first) != segment) break;
+    found = keyframe->first;
+    if (keyframe->second.frame <= frame) break;
+  }
+  return found;
+}
+
+void FrameRecords::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
+  Join(keyframes_.insert({keyframe, {frame, SE3()}}).first, map);
+  if (IsPosed(frame)) return;
   records_[frame].keyframe = keyframe;
-  records_[frame].from_camera = keyframe_from_camera;
+  records_[frame].from_camera = SE3();
+}
+
+void FrameRecords::Join(Keyframes::iterator keyframe, const Map& map) {
+  if (keyframe == keyframes_.begin()) return;
+  keyframe->second.from_before = map.WorldFromKeyframe(keyframe->first).Inverse() *
+                                 map.WorldFromKeyframe(std::prev(keyframe)->first);
+}
+
+void FrameRecords::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
+  const auto removed = keyframes_.find(keyframe);
+  const auto before = std::prev(removed);
+  const auto after = std::next(removed);
+  const SE3 before_from_world = map.WorldFromKeyframe(before->first).Inverse();
+  for (int frame = before->second.frame + 1; frame < after->second.frame; ++frame) {
+    Record& record = records_[frame];
+    if (record.keyframe != before->first && record.keyframe != keyframe) continue;
+    record.from_camera = before_from_world * PoseOf(frame, map);
+    record.keyframe = before->first;
+  }
+  keyframes_.erase(removed);
+  Join(after, map);
 }
 
 void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_from_camera) {
@@ -14,7 +63,16 @@ void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_fr
 
 SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
   const Record& record = records_[frame];
-  return map.WorldFromKeyframe(record.keyframe) * record.from_camera;
+  const SE3 by_first = map.WorldFromKeyframe(record.keyframe) * record.from_camera;
+  const auto second = keyframes_.upper_bound(record.keyframe);
+  if (second == keyframes_.end() || frame <= keyframes_.at(record.keyframe).frame) return by_first;
+  if (map.SegmentOf(second->first) != map.SegmentOf(record.keyframe)) return by_first;
+  const SE3 second_from_camera = second->second.from_before * record.from_camera;
+  const SE3 by_second = map.WorldFromKeyframe(second->first) * second_from_camera;
+  const double to_first = record.from_camera.translation().norm();
+  const double to_second = second_from_camera.translation().norm();
+  if (!(to_first > 0)) return by_first;
+  return Interpolate(by_first, by_second, to_first / (to_first + to_second));
 }
 
 std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {

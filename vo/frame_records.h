@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 
 #include "vo/conventions.h"
@@ -13,8 +14,10 @@
 
 namespace corvo {
 
-/// The result of every input frame, in input order. A posed frame hangs on a keyframe and moves
-/// with it; a frame of which only the rotation is known hangs on another frame.
+/// The result of every input frame, in input order. A posed frame hangs on the keyframes of its
+/// segment before and after it: where these move against each other, it moves as they do, weighted
+/// by how near it is to either. With a keyframe on one side only it moves as that does. A frame of
+/// which only the rotation is known hangs on another frame.
 class FrameRecords {
  public:
   int size() const { return static_cast<int>(records_.size()); }
@@ -23,7 +26,13 @@ class FrameRecords {
   FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
 
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
-  void SetPose(int frame, KeyframeId keyframe, const SE3& keyframe_from_camera);
+  /// In a segment that has a keyframe.
+  void SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map);
+  /// The newest keyframe of the map; its frame is posed with it, if it is not in another segment.
+  void AddKeyframe(int frame, KeyframeId keyframe, const Map& map);
+  /// One that was retired since the map changed last, and was not its segment's first or newest:
+  /// frames hang on those around it.
+  void RemoveKeyframe(KeyframeId keyframe, const Map& map);
   /// Hangs the rotation of a frame that is not posed on an earlier one; on itself, the frame begins
   /// a chain.
   void SetRotation(int frame, int reference, const SO3& reference_from_camera);
@@ -37,17 +46,30 @@ class FrameRecords {
   FrameResult ResultOf(int frame, const Map& map) const;
   Trajectory ToTrajectory(const Map& map) const;
 
-  std::size_t num_bytes() const { return records_.size() * sizeof(Record); }
+  std::size_t num_bytes() const {
+    return records_.size() * sizeof(Record) + keyframes_.size() * sizeof(Keyframes::value_type);
+  }
 
  private:
   struct Record {
     FrameOutcome outcome;
-    KeyframeId keyframe = kNoId;  // Of a posed frame.
+    KeyframeId keyframe = kNoId;  // Of a posed frame: the last before it, or the first after it.
     int reference = kNoId;        // Of a frame of which only the rotation is known.
     SE3 from_camera;              // Its target is whichever of the two there is.
   };
+  struct Keyframe {
+    int frame = kNoId;
+    SE3 from_before;  // From the keyframe before in its segment, when they became neighbours.
+  };
+  using Keyframes = std::map<KeyframeId, Keyframe>;
+
+  /// The keyframe that a frame hangs on.
+  KeyframeId FindKeyframe(int frame, int segment, const Map& map) const;
+  /// Sets what `keyframe` and the one before it are to each other now.
+  void Join(Keyframes::iterator keyframe, const Map& map);
 
   std::deque<Record> records_;
+  Keyframes keyframes_;
 };
 
 }  // namespace corvo

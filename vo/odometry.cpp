@@ -158,7 +158,7 @@ void Odometry::ExtendMap(Frame& frame) {
   const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
   landmark_builder_.Start(map_, keyframe, camera(), noise_, options_.keyframes);
   frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
-  records_.SetPose(frame.index, keyframe, SE3());
+  records_.AddKeyframe(frame.index, keyframe, map_);
   records_.outcome(frame.index).is_keyframe = true;
 }
 
@@ -190,7 +190,10 @@ void Odometry::TakeAdjustments(int frame) {
     initializer_.SetCamera(camera());
     UpdateRays(camera(), previous_);
   }
-  CullKeyframes(map_, map_.num_keyframes() - 1, options_.keyframes);
+  const KeyframeId newest = map_.num_keyframes() - 1;
+  for (const KeyframeId retired : CullKeyframes(map_, newest, options_.keyframes)) {
+    records_.RemoveKeyframe(retired, map_);
+  }
   ArchiveKeyframes();
   if (records_.IsPosed(previous_.index)) {
     previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
@@ -325,9 +328,8 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
   for (const KeyframeId id : {first_id, second_id}) {
     Frame& frame = id == first_id ? first : second;
     frame.landmarks = map_.keyframe(id).frame.landmarks;
-    if (records_.IsPosed(frame.index)) continue;
-    records_.SetPose(frame.index, id, SE3());
-    records_.outcome(frame.index).is_keyframe = true;
+    if (!records_.IsPosed(frame.index)) records_.outcome(frame.index).is_keyframe = true;
+    records_.AddKeyframe(frame.index, id, map_);
   }
   ArchiveKeyframes();
 }
@@ -373,10 +375,9 @@ void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
   result.num_matches = num_matches;
   result.num_inliers = num_inliers;
   TellPosed(frame);
-  if (result.is_keyframe) return;
-  const KeyframeId keyframe = map_.FindCovisible(frame).front().keyframe;
-  records_.SetPose(frame.index, keyframe,
-                   map_.WorldFromKeyframe(keyframe).Inverse() * frame.world_from_camera);
+  if (!result.is_keyframe) {
+    records_.SetPose(frame.index, segment_, frame.world_from_camera, map_);
+  }
 }
 
 void Odometry::AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const {

@@ -44,8 +44,8 @@ PointScene MakeBoxScene(int num_points, double min_depth, double max_depth, Rand
   PointScene scene;
   for (int i = 0; i < num_points; ++i) {
     const double depth = random.Uniform(min_depth, max_depth);
-    scene.in_world.emplace_back(depth * random.Uniform(-0.8, 0.8),
-                                depth * random.Uniform(-0.6, 0.6), depth);
+    const double x = depth * random.Uniform(-0.8, 0.8);
+    scene.in_world.emplace_back(x, depth * random.Uniform(-0.6, 0.6), depth);
     scene.descriptors.push_back(RandomDescriptor(random));
   }
   return scene;

@@ -8,7 +8,9 @@
 
 namespace corvo::test {
 
-/// Seeded numbers for tests, the same with every compiler and standard library (SplitMix64).
+/// Seeded numbers for tests, the same with every compiler and standard library (SplitMix64). So is
+/// what is made of them as long as their order does not depend on that of a call's arguments, which
+/// is the compiler's: braces have an order.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -47,19 +49,21 @@ class Random {
 
   Eigen::Vector3d Direction() {
     Eigen::Vector3d vector;
-    do vector = Eigen::Vector3d(Gaussian(), Gaussian(), Gaussian());
+    do vector = Eigen::Vector3d{Gaussian(), Gaussian(), Gaussian()};
     while (vector.norm() < 1e-6);
     return vector.normalized();
   }
 
   /// About a uniform axis by an angle uniform in [0, max_angle) rad.
   SO3 Rotation(double max_angle = 3.14159265358979323846) {
-    return SO3::Exp(Uniform(0, max_angle) * Direction());
+    const double angle = Uniform(0, max_angle);
+    return SO3::Exp(angle * Direction());
   }
 
   SE3 Pose(double max_angle = 3.14159265358979323846, double max_distance = 1) {
     const SO3 rotation = Rotation(max_angle);
-    return SE3(rotation, Uniform(0, max_distance) * Direction());
+    const double distance = Uniform(0, max_distance);
+    return SE3(rotation, distance * Direction());
   }
 
  private:

@@ -83,11 +83,16 @@ TEST(FullAdjustmentTest, GrossErrorsAreToldAndLeaveNoTrace) {
   std::vector<Bundle> clean{truth};
   AdjustFully(Exact(camera), camera.parameters(), {}, clean);
   EXPECT_LT(PoseError(bundles[0], truth), 1.5 * PoseError(clean[0], truth));
+  int num_gross = 0, num_kept = 0;
   for (std::size_t i = 0; i < bundles[0].sightings.size(); i += 20) {
     const Bundle::Sighting& sighting = bundles[0].sightings[i];
     const double moved_px = (sighting.pixel - truth.sightings[i].pixel).norm();
-    EXPECT_FALSE(sighting.is_inlier && moved_px > 10 * kNoisePx) << moved_px;
+    if (moved_px <= 10 * kNoisePx) continue;
+    ++num_gross;
+    num_kept += sighting.is_inlier;
   }
+  EXPECT_GT(num_gross, 50);
+  EXPECT_LT(num_kept, 0.03 * num_gross);  // Along an epipolar line few views can tell.
 }
 
 /// Bundles of a camera, adjusted from what is given; nothing is known of what is free.
