@@ -66,8 +66,7 @@ void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<Landmar
   recent = on_trial;
 }
 
-std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest,
-                                      const KeyframeOptions& options) {
+std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) {
   std::vector<KeyframeId> candidates, retired;
   for (const Covisible& covisible : map.FindCovisible(newest)) {
     candidates.push_back(covisible.keyframe);

@@ -17,8 +17,7 @@ void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<Landmar
 /// Retires the keyframes covisible with `newest` whose landmarks are nearly all seen by at least
 /// three other keyframes in the same or a finer octave, and returns them in ascending order. Keeps
 /// the first keyframe of a segment.
-std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest,
-                                      const KeyframeOptions& options);
+std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options);
 
 /// Archives the keyframes that nothing looks at any more: older than the `num_recent` newest that
 /// are kept, and without a landmark of the newest. Returns the landmarks that left. Forgets merges

@@ -17,6 +17,15 @@ int CountKept(const Map& map, int segment) {
       kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
 }
 
+/// Frames between the newest keyframe and the kept one before it, in its segment; or 0.
+int NewestSpacing(const Map& map) {
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const Keyframe& newest = map.keyframe(kept.back());
+  if (kept.size() < 2) return 0;
+  const Keyframe& before = map.keyframe(kept[kept.size() - 2]);
+  return before.segment == newest.segment ? newest.frame.index - before.frame.index : 0;
+}
+
 }  // namespace
 
 MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& options)
@@ -27,7 +36,6 @@ MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& option
 }
 
 void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
-  constexpr int kFramesBeside = 3;
   const KeyframeId newest = map.num_keyframes() - 1;
   if (window_.result.valid() || newest == newest_) return;
   newest_ = newest;
@@ -36,7 +44,7 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
     num_calibrated_ = num_keyframes;
     StartCalibration(map, noise, frame);
   }
-  window_.due_frame = frame + kFramesBeside;
+  window_.due_frame = frame + FramesBesideWindow(map);
   window_.result = std::async(
       std::launch::async,
       [camera = camera_, options = options_.bundle_adjuster](Bundle&& bundle) {
@@ -44,6 +52,11 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
         return std::move(bundle);
       },
       CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
+}
+
+int MapAdjuster::FramesBesideWindow(const Map& map) const {
+  const int frames = std::clamp(NewestSpacing(map), 2, 3);
+  return calibration_.result.valid() ? frames + 1 : frames;
 }
 
 bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {

@@ -14,13 +14,16 @@ namespace {
 
 constexpr int kEnd = std::numeric_limits<int>::max();
 
-/// A turning path of views, taken with `taken_with`; keyframes and landmarks are disturbed.
-Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random) {
+/// A turning path of views, taken with `taken_with`, each `spacing` frames after the one before;
+/// keyframes and landmarks are disturbed.
+Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random,
+                     int spacing = 5) {
   const test::PointScene scene = test::MakeBoxScene(600, 3, 12, random);
   std::vector<test::SceneView> views;
   for (int i = 0; i < num_views; ++i) {
     const SE3 pose(SO3::Exp({0, 0.03 * i, 0}), Eigen::Vector3d(0.25 * i, 0.05 * (i % 3), 0));
     views.push_back(test::ObserveScene(scene, taken_with, pose, 0.3, random));
+    views.back().frame.index = spacing * i;
   }
   Map map = test::MakeMap(scene, views, test::MakeNoise());
   map.UpdateRays(test::PinholeCamera());
@@ -58,6 +61,15 @@ TEST(MapAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
   EXPECT_EQ(map.WorldFromKeyframe(4), before);
   EXPECT_TRUE(adjuster.Finish(map, 13));
   EXPECT_NE(map.WorldFromKeyframe(4), before);
+}
+
+TEST(MapAdjusterTest, TheResultIsDueSoonerWhereKeyframesFollowEachOtherFast) {
+  test::Random random(1);
+  Map map = MakeDisturbedMap(5, test::PinholeCamera(), random, 1);
+  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(map, test::MakeNoise(), 10);
+  EXPECT_FALSE(adjuster.Finish(map, 11));
+  EXPECT_TRUE(adjuster.Finish(map, 12));
 }
 
 TEST(MapAdjusterTest, GivesTheWindowThatAdjustBundleGives) {
