@@ -31,6 +31,7 @@ KeyframeId FrameRecords::FindKeyframe(int frame, int segment, const Map& map) co
 void FrameRecords::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
   Join(keyframes_.insert({keyframe, {frame, SE3()}}).first, map);
   if (IsPosed(frame)) return;
+  records_[frame].outcome.is_keyframe = true;
   records_[frame].keyframe = keyframe;
   records_[frame].from_camera = SE3();
 }
@@ -64,9 +65,10 @@ void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_fr
 SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
   const Record& record = records_[frame];
   const SE3 by_first = map.WorldFromKeyframe(record.keyframe) * record.from_camera;
-  const auto second = keyframes_.upper_bound(record.keyframe);
-  if (second == keyframes_.end() || frame <= keyframes_.at(record.keyframe).frame) return by_first;
-  if (map.SegmentOf(second->first) != map.SegmentOf(record.keyframe)) return by_first;
+  const auto first = keyframes_.find(record.keyframe);
+  const auto second = std::next(first);
+  if (second == keyframes_.end() || frame <= first->second.frame) return by_first;
+  if (map.SegmentOf(second->first) != map.SegmentOf(first->first)) return by_first;
   const SE3 second_from_camera = second->second.from_before * record.from_camera;
   const SE3 by_second = map.WorldFromKeyframe(second->first) * second_from_camera;
   const double to_first = record.from_camera.translation().norm();

@@ -28,7 +28,8 @@ class FrameRecords {
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
   /// In a segment that has a keyframe.
   void SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map);
-  /// The newest keyframe of the map; its frame is posed with it, if it is not in another segment.
+  /// The newest keyframe of the map; its frame is posed with it and told to be a keyframe, if it is
+  /// not posed yet (in the segment before).
   void AddKeyframe(int frame, KeyframeId keyframe, const Map& map);
   /// One that was retired since the map changed last, and was not its segment's first or newest:
   /// frames hang on those around it.

@@ -159,7 +159,6 @@ void Odometry::ExtendMap(Frame& frame) {
   landmark_builder_.Start(map_, keyframe, camera(), noise_, options_.keyframes);
   frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
   records_.AddKeyframe(frame.index, keyframe, map_);
-  records_.outcome(frame.index).is_keyframe = true;
 }
 
 void Odometry::ContinueMapping(int frame) {
@@ -328,7 +327,6 @@ void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& fir
   for (const KeyframeId id : {first_id, second_id}) {
     Frame& frame = id == first_id ? first : second;
     frame.landmarks = map_.keyframe(id).frame.landmarks;
-    if (!records_.IsPosed(frame.index)) records_.outcome(frame.index).is_keyframe = true;
     records_.AddKeyframe(frame.index, id, map_);
   }
   ArchiveKeyframes();

@@ -144,6 +144,15 @@ TEST_F(FrameRecordsTest, APoseTakesThePlaceOfARotation) {
   EXPECT_THAT(*records_.RotationOf(1, map_), test::IsRotationNear(pose_.rotation(), 1e-9));
 }
 
+TEST_F(FrameRecordsTest, AFrameIsAKeyframeOfTheSegmentThatPosesItFirst) {
+  AddKeyframe(4, 0, Ahead(4));
+  records_.SetPose(2, 0, Ahead(2), map_);
+  AddKeyframe(2, 1, Ahead(8));
+  EXPECT_TRUE(records_.outcome(4).is_keyframe);
+  EXPECT_FALSE(records_.outcome(2).is_keyframe);
+  ExpectPose(2, Ahead(2));
+}
+
 TEST_F(FrameRecordsTest, AFrameTakesAtMost200Bytes) {
   EXPECT_LE(records_.num_bytes(), 200u * static_cast<std::size_t>(records_.size()));
 }
