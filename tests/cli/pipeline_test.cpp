@@ -42,8 +42,8 @@ class Pipeline : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TempFolder>();
-    const CommandResult result =
-        RunCorvo({"synth", "street", "-o", *folder_ / "street", "--frames", "40"});
+    const CommandResult result = RunCorvo(
+        {"synth", "street", "-o", *folder_ / "street", "--frames", "40", "--width", "465"});
     ASSERT_EQ(result.exit_code, kDone) << result.err;
   }
   static void TearDownTestSuite() { folder_.reset(); }

@@ -14,6 +14,8 @@ bool DataIsRequired() {
   return ci && *ci;
 }
 
+bool IsShortRun() { return ::getenv("CORVO_SHORT_TESTS") != nullptr; }
+
 TemporaryDir::TemporaryDir() {
   std::string pattern = ::testing::TempDir() + "/corvo_test_XXXXXX";
   if (!::mkdtemp(pattern.data())) throw std::runtime_error("cannot make a folder " + pattern);

@@ -12,6 +12,9 @@ namespace corvo::test {
 /// Where $CI is set, missing data is a failure, elsewhere a visible skip.
 bool DataIsRequired();
 
+/// True where the sanitizers run: sequences are cut short and their accuracy is not judged.
+bool IsShortRun();
+
 /// An empty folder for one test's files, removed with the object.
 class TemporaryDir {
  public:

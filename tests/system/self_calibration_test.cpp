@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/synthetic/sequence.h"
+#include "tests/support/data.h"
 #include "tests/support/random.h"
 #include "tests/system/sequence_runner.h"
 #include "vo/odometry.h"

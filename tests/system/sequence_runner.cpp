@@ -1,13 +1,10 @@
 #include "tests/system/sequence_runner.h"
 
-#include <cstdlib>
 #include <vector>
 
 #include "vo/odometry.h"
 
 namespace corvo::test {
-
-bool IsShortRun() { return std::getenv("CORVO_SHORT_TESTS") != nullptr; }
 
 namespace {
 

@@ -18,9 +18,6 @@ struct TimedPicture {
 };
 using PictureSource = std::function<TimedPicture(int)>;
 
-/// True where the sanitizers run: sequences are cut short and their accuracy is not judged.
-bool IsShortRun();
-
 /// Runs Odometry with default options over frames 0 to num_frames - 1.
 Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera);
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "apps/synthetic/sequence.h"
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/system/sequence_runner.h"
 
