@@ -43,9 +43,11 @@ const OdometryOptions& Validated(const OdometryOptions& options) {
   return options;
 }
 
-/// Landmarks of a keyframe that enough keyframes see (two while there are no more).
-int CountEstablished(const Map& map, KeyframeId id, int num_keyframes) {
-  const std::size_t min_observations = num_keyframes <= 2 ? 2 : 3;
+/// Landmarks of a keyframe that enough keyframes see: three, or two while its segment has no more.
+int CountEstablished(const Map& map, KeyframeId id) {
+  const KeyframeId third_newest = map.num_keyframes() - 3;
+  const bool has_three = third_newest >= 0 && map.SegmentOf(third_newest) == map.SegmentOf(id);
+  const std::size_t min_observations = has_three ? 3 : 2;
   int count = 0;
   for (const LandmarkId landmark_id : map.keyframe(id).frame.landmarks) {
     const Landmark* landmark = map.FindLandmark(landmark_id);
@@ -149,7 +151,7 @@ bool Odometry::NeedsKeyframe(const Frame& frame) const {
   KeyframeEvidence evidence;
   const std::vector<Covisible> covisible = map_.FindCovisible(frame);
   evidence.num_tracked = CountSeenLandmarks(frame);
-  evidence.num_reference = CountEstablished(map_, covisible.front().keyframe, map_.num_keyframes());
+  evidence.num_reference = CountEstablished(map_, covisible.front().keyframe);
   return corvo::NeedsKeyframe(evidence, options_.keyframes);
 }
 

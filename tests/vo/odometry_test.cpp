@@ -138,6 +138,22 @@ TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
             trajectory.frames[13].world_from_camera->translation().x());
 }
 
+TEST(OdometryTest, ANewSegmentGetsKeyframesAsTheFirstDoes) {
+  std::vector<cv::Mat> drive = MakeDrive(25, 7);
+  for (const cv::Mat& picture : MakeDrive(25, 20)) drive.push_back(picture);
+  Odometry odometry(test::PinholeCamera());
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    odometry.Process(drive[i], static_cast<TimeNs>(i + 1) * kFrameTime);
+  }
+  std::vector<int> num_keyframes(2);
+  for (KeyframeId id = 0; id < odometry.map().num_keyframes(); ++id) {
+    ++num_keyframes.at(odometry.map().SegmentOf(id));
+  }
+  constexpr int kFirst = 2;  // With which a segment begins.
+  EXPECT_GT(num_keyframes[0], kFirst);
+  EXPECT_GT(num_keyframes[1], kFirst);
+}
+
 TEST(OdometryTest, WhereverItIsSetDownAgainItIsFoundInTheSameSegment) {
   std::vector<cv::Mat> drive = MakeDrive(25, 8);
   drive.push_back(cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
