@@ -26,6 +26,10 @@ int NewestSpacing(const Map& map) {
   return before.segment == newest.segment ? newest.frame.index - before.frame.index : 0;
 }
 
+/// Few where keyframes follow each other fast: what they see is lost before it is adjusted, and
+/// with it the scale.
+int FramesBesideWindow(const Map& map) { return std::clamp(NewestSpacing(map) / 2, 2, 4); }
+
 }  // namespace
 
 MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& options)
@@ -52,11 +56,6 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
         return std::move(bundle);
       },
       CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
-}
-
-int MapAdjuster::FramesBesideWindow(const Map& map) const {
-  const int frames = std::clamp(NewestSpacing(map), 2, 3);
-  return calibration_.result.valid() ? frames + 1 : frames;
 }
 
 bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {

@@ -56,9 +56,6 @@ class MapAdjuster {
   static Calibrated Calibrate(const CameraPrior& prior, const Eigen::VectorXd& start,
                               const OdometryOptions& options, const Bundle& bundle);
 
-  /// Few where keyframes follow each other fast, as what they see is lost before it is adjusted;
-  /// one more beside a calibration, as both then take longer.
-  int FramesBesideWindow(const Map& map) const;
   bool IsCalibrationDue(int num_keyframes) const;
   void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
   void FinishCalibration(Map& map);
