@@ -1,20 +1,36 @@
 #include "vo/triangulation.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
+#include "vo/lie/so3.h"
 
 namespace corvo {
 namespace {
 
-/// The two linear equations that a ray puts on a homogeneous point in the world.
-Eigen::Matrix<double, 2, 4> RayEquations(const PosedRay& view) {
-  const Eigen::Matrix<double, 3, 4> camera_from_world =
-      view.world_from_camera.Inverse().matrix().topRows<3>();
-  Eigen::Matrix<double, 2, 4> equations;
-  equations.row(0) = view.ray.x() * camera_from_world.row(2) - camera_from_world.row(0);
-  equations.row(1) = view.ray.y() * camera_from_world.row(2) - camera_from_world.row(1);
-  return equations;
+struct RayPair {
+  Eigen::Vector2d a, b;
+};
+
+/// The nearest rays that meet, a' E b = 0: "niter2" of the paper, which is exact but for rays that
+/// miss each other by far.
+RayPair MakeMeet(RayPair rays, const Eigen::Matrix3d& essential) {
+  const Eigen::Matrix2d corner = essential.topLeftCorner<2, 2>();
+  Eigen::Vector2d normal_a = (essential * rays.b.homogeneous()).head<2>();
+  Eigen::Vector2d normal_b = (essential.transpose() * rays.a.homogeneous()).head<2>();
+  const double curvature = normal_a.dot(corner * normal_b);
+  const double half_norm = 0.5 * (normal_a.squaredNorm() + normal_b.squaredNorm());
+  const double miss = rays.a.homogeneous().dot(essential * rays.b.homogeneous());
+  const double root = std::sqrt(std::max(half_norm * half_norm - curvature * miss, 0.0));
+  if (!(half_norm + root > 0)) return rays;
+  const double step = miss / (half_norm + root);
+  const Eigen::Vector2d start_a = normal_a, start_b = normal_b;
+  normal_a -= step * (corner * start_b);
+  normal_b -= step * (corner.transpose() * start_a);
+  const double norm = normal_a.squaredNorm() + normal_b.squaredNorm();
+  if (!(norm > 0)) return rays;
+  const double corrected = 2 * step * root / norm;
+  return {rays.a - corrected * normal_a, rays.b - corrected * normal_b};
 }
 
 double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -24,12 +40,16 @@ double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b) {
-  Eigen::Matrix4d equations;
-  equations << RayEquations(a), RayEquations(b);
-  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(equations, Eigen::ComputeFullV);
-  const Eigen::Vector4d homogeneous = svd.matrixV().col(3);
-  if (std::abs(homogeneous.w()) < 1e-9 * homogeneous.head<3>().norm()) return std::nullopt;
-  return Eigen::Vector3d(homogeneous.hnormalized());
+  const SE3 a_from_b = a.world_from_camera.Inverse() * b.world_from_camera;
+  const Eigen::Matrix3d rotation = a_from_b.rotation().matrix();
+  const Eigen::Matrix3d essential = SO3::Hat(a_from_b.translation()) * rotation;
+  const RayPair met = MakeMeet({a.ray, b.ray}, essential);
+  const Eigen::Vector3d in_b = rotation * met.b.homogeneous();
+  const Eigen::Vector3d normal = met.a.homogeneous().cross(in_b);
+  const double squared_sine = normal.squaredNorm();
+  if (squared_sine < 1e-18 * in_b.squaredNorm()) return std::nullopt;
+  const double depth = normal.dot(essential * met.b.homogeneous()) / squared_sine;
+  return a.world_from_camera * Eigen::Vector3d(depth * met.a.homogeneous());
 }
 
 double RayAngle(const PosedRay& a, const PosedRay& b) {

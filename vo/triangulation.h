@@ -14,9 +14,9 @@ struct PosedRay {
   Eigen::Vector2d ray;  ///< (x/z, y/z) in the camera.
 };
 
-/// The point nearest to both rays in the algebraic sense (linear triangulation, Hartley and
-/// Zisserman, Multiple View Geometry, 12.2). None where the rays are parallel. The point may lie
-/// behind a camera.
+/// The point whose images are nearest to both rays, by the sum of their squared distances in ray
+/// coordinates (Lindstrom, "Triangulation made easy", CVPR 2010). None where the rays are parallel.
+/// The point may lie behind a camera.
 std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b);
 
 /// Angle between the directions of two rays, radians: of rays that meet, the parallax there.

@@ -25,6 +25,30 @@ TEST(TriangulationTest, RecoversExactPoints) {
   }
 }
 
+/// Squared distance of a point's image from a ray, ray units.
+double SquaredMiss(const Eigen::Vector3d& in_world, const PosedRay& ray) {
+  return ((ray.world_from_camera.Inverse() * in_world).hnormalized() - ray.ray).squaredNorm();
+}
+
+TEST(TriangulationTest, NoPointNearbyIsNearerToRaysThatMissEachOther) {
+  test::Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    PosedRay a, b;
+    a.world_from_camera = random.Pose(0.3, 1);
+    b.world_from_camera = random.Pose(0.3, 1);
+    const Eigen::Vector3d point(random.Uniform(-2, 2), random.Uniform(-2, 2), 6);
+    a.ray = RayTo(point, a.world_from_camera).ray + random.Vector<2>(0.002);
+    b.ray = RayTo(point, b.world_from_camera).ray + random.Vector<2>(0.002);
+    const auto triangulated = Triangulate(a, b);
+    ASSERT_TRUE(triangulated);
+    const double least = SquaredMiss(*triangulated, a) + SquaredMiss(*triangulated, b);
+    for (int j = 0; j < 20; ++j) {
+      const Eigen::Vector3d other = *triangulated + random.Vector<3>(0.01);
+      EXPECT_GE(SquaredMiss(other, a) + SquaredMiss(other, b), 0.9999 * least) << i;
+    }
+  }
+}
+
 TEST(TriangulationTest, ParallelRaysHaveNoPoint) {
   const SE3 moved(SO3(), Eigen::Vector3d(1, 0, 0));
   EXPECT_FALSE(Triangulate({SE3(), {0.1, 0.2}}, {moved, {0.1, 0.2}}));
