@@ -150,6 +150,7 @@ TrackingResult Odometry::Track(Frame& frame) {
 bool Odometry::NeedsKeyframe(const Frame& frame) const {
   KeyframeEvidence evidence;
   const std::vector<Covisible> covisible = map_.FindCovisible(frame);
+  evidence.num_keypoints = frame.num_keypoints();
   evidence.num_tracked = CountSeenLandmarks(frame);
   evidence.num_reference = CountEstablished(map_, covisible.front().keyframe);
   return corvo::NeedsKeyframe(evidence, options_.keyframes);

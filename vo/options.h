@@ -77,6 +77,7 @@ struct RelocalizerOptions {
 /// When a frame becomes a keyframe, and how keyframes and landmarks are made and culled.
 struct KeyframeOptions {
   double max_tracked_share = 0.75;
+  double min_seeing_share = 0.07;
   int num_neighbors = 6;
   double min_parallax_deg = 0.6;
   int max_distance = 65;
@@ -87,6 +88,8 @@ struct KeyframeOptions {
   static void Visit(Self& self, Visitor&& field) {
     field("max_tracked_share", self.max_tracked_share, 0.0, 1.0,
           "a keyframe is due when fewer of the nearest keyframe's landmarks are tracked");
+    field("min_seeing_share", self.min_seeing_share, 0.0, 1.0,
+          "and when fewer of the frame's keypoints see landmarks");
     field("num_neighbors", self.num_neighbors, 1, 100,
           "covisible keyframes with which a new one is triangulated and fused");
     field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
