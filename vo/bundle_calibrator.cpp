@@ -16,6 +16,16 @@
 namespace corvo {
 namespace {
 
+/// Of what the sigmas of keypoints say: these lie closer to their landmarks, but the errors along
+/// one track are alike.
+constexpr double kInformationFactor = 1.5;
+
+/// What the prior is worth beside sightings that count by their sigmas alone.
+CameraPrior BesideSightings(CameraPrior prior) {
+  for (FreeParameter& free : prior.free) free.sigma *= std::sqrt(kInformationFactor);
+  return prior;
+}
+
 bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>& is_selected,
            Bundle& bundle, Eigen::VectorXd& difference) {
   AdjustedCamera adjusted(prior, difference);
@@ -30,7 +40,7 @@ bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>
                              bundle.views[sighting.view].local_from_camera.data(),
                              bundle.points[sighting.point].in_local.data(), difference.data());
   }
-  problem.AddResidualBlock(MakePriorCost(prior), nullptr, difference.data());
+  problem.AddResidualBlock(MakePriorCost(BesideSightings(prior)), nullptr, difference.data());
   FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
@@ -43,7 +53,8 @@ Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& diff
   for (Bundle::Sighting& sighting : bundle.sightings) {
     sighting.is_inlier = sighting.is_inlier && is_selected[sighting.point];
   }
-  return CameraCovariance(prior, difference, {std::move(bundle)});
+  return CameraCovariance(BesideSightings(prior), difference, {std::move(bundle)}) /
+         kInformationFactor;
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace corvo {
 
 /// As AdjustBundle, but the camera is adjusted too: known as `prior` says, from the difference
 /// `start` on. Returns its difference with the covariance (poses and points marginalised), or none,
-/// and the bundle as it was, where the solver fails. At least one parameter is free. Deterministic.
+/// and the bundle as it was, where the solver fails. The sightings count 1.5 times what their
+/// sigmas say, as measured (docs/calibration.md). At least one parameter is free. Deterministic.
 std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle);

@@ -61,7 +61,7 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
 bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
   constexpr int kMinKeyframes = 8;
   if (prior_.num_free() == 0 || calibration_.result.valid()) return false;
-  return num_keyframes >= std::max(kMinKeyframes, num_calibrated_ * 3 / 2);
+  return num_keyframes >= std::max(kMinKeyframes, num_calibrated_ * 4 / 3);
 }
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {

@@ -14,9 +14,9 @@
 namespace corvo {
 
 /// Adjusts the map on threads of its own, beside the frames that follow: the window of a new
-/// keyframe and, whenever the map has grown by half, more keyframes and the camera with them. One
-/// of each at a time. Their results are due at fixed frames, however long they took, so that the
-/// same frames find the same map.
+/// keyframe and, whenever the map has grown by a third, more keyframes and the camera with them.
+/// One of each at a time. Their results are due at fixed frames, however long they took, so that
+/// the same frames find the same map.
 class MapAdjuster {
  public:
   /// Throws corvo::Error on a prior that is not valid.
