@@ -62,10 +62,10 @@ Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& diff
 std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle) {
-  constexpr double kProjects = 1e12;
+  constexpr double kMaxSquaredError = 100;  // The camera's error is a pixel or two, others gross.
   const Bundle before = bundle;
   CameraEstimate estimate{start, {}};
-  MarkOutliers(Camera(prior.Apply(start)), kProjects, bundle);
+  MarkOutliers(Camera(prior.Apply(start)), kMaxSquaredError, bundle);
   const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
   if (!Solve(prior, options.max_iterations, is_selected, bundle, estimate.difference)) {
     bundle = before;

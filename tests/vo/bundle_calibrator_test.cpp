@@ -7,6 +7,7 @@
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
+#include "vo/bundle_adjuster.h"
 
 namespace corvo {
 namespace {
@@ -46,10 +47,12 @@ Bundle CopyAll(const Map& map) {
   return CopyBundle(map, window, test::MakeNoise(kNoisePx));
 }
 
+/// Of a map that was adjusted to the camera as it was given, as an odometry's is.
 CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
                         test::Random& random) {
   const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
   Bundle bundle = CopyAll(FilmMap(Camera(prior.Apply(truth)), path, random));
+  AdjustBundle(Camera(prior.given), BundleAdjusterOptions(), bundle);
   const auto estimate = CalibrateBundle(prior, Eigen::Vector3d::Zero(), options, bundle);
   EXPECT_TRUE(estimate);
   return estimate.value_or(PriorEstimate(prior));
