@@ -77,6 +77,19 @@ TEST(RealSequenceTest, Kitti03CountryRoad) {
   ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 0.45, 0.997);
 }
 
+TEST(RealSequenceTest, Kitti03KeepsItsScaleAtHalfTheFrameRate) {
+  CORVO_REQUIRE_DATA("kitti/sequences/03");
+  const Folder folder("kitti/sequences/03", 8);
+  const test::PictureSource every = folder.Source();
+  for (int first = 0; first < 4; ++first) {
+    SCOPED_TRACE(first);
+    const auto every_second = [&](int i) { return every(first + 2 * i); };
+    const Trajectory trajectory = test::RunOdometry(
+        every_second, (folder.num_frames - first + 1) / 2, Camera(*folder.list.camera));
+    ExpectAccurate(trajectory, ReadKittiTruth("03"), 0.6, 0.99);
+  }
+}
+
 TEST(RealSequenceTest, Kitti05SharpTurn) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
