@@ -73,6 +73,7 @@ FocalSearchResult Search(const Film& film, int seed = 1) {
 class FocalSearchTest : public ::testing::TestWithParam<double> {};
 
 TEST_P(FocalSearchTest, IsExactWithoutNoise) {
+  CORVO_SKIP_IF_SHORT();
   const FocalSearchResult result = Search({.focal = GetParam(), .first_from_second = TurnAndMove});
   EXPECT_TRUE(result.is_determined);
   EXPECT_EQ(result.num_pairs, 8);
@@ -80,6 +81,7 @@ TEST_P(FocalSearchTest, IsExactWithoutNoise) {
 }
 
 TEST_P(FocalSearchTest, TellsItsErrorWithNoiseAndWrongMatches) {
+  CORVO_SKIP_IF_SHORT();
   for (int seed = 1; seed <= 3; ++seed) {
     const FocalSearchResult result = Search(
         {.focal = GetParam(), .noise_px = 0.7, .wrong_every = 5, .first_from_second = TurnAndMove},
@@ -101,6 +103,7 @@ TEST_P(FocalSearchTest, ARotationTellsIt) {
 INSTANTIATE_TEST_SUITE_P(Lenses, FocalSearchTest, ::testing::Values(280.0, 500.0, 900.0));
 
 TEST(FocalSearch, StraightMotionAndAPlaneDoNotTellIt) {
+  CORVO_SKIP_IF_SHORT();
   for (const auto& motion : {MoveForward, MoveAside}) {
     const FocalSearchResult straight = Search({.noise_px = 0.5, .first_from_second = motion});
     EXPECT_FALSE(straight.is_determined) << straight.camera.fx << " " << straight.focal_sigma;
@@ -112,6 +115,7 @@ TEST(FocalSearch, StraightMotionAndAPlaneDoNotTellIt) {
 }
 
 TEST(FocalSearch, PairsThatTellNothingDoNotHideThoseThatDo) {
+  CORVO_SKIP_IF_SHORT();
   test::Random random(3);
   std::vector<PixelMatches> pairs;
   for (int i = 0; i < 12; ++i) {
@@ -147,6 +151,7 @@ TEST(FocalSearch, WithoutMatchesTakesAnUsualLensAndSaysSo) {
 }
 
 TEST(FocalSearch, GivesTheSameBitsAgain) {
+  CORVO_SKIP_IF_SHORT();
   const Film film = {.noise_px = 0.7, .wrong_every = 4, .first_from_second = TurnAndMove};
   const FocalSearchResult once = Search(film);
   const FocalSearchResult again = Search(film);

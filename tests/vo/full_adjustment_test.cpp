@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/vo/film.h"
 
@@ -236,6 +237,7 @@ TEST(FullAdjustmentTest, GivesTheSameBitsWhereverItsMemoryLies) {
 }
 
 TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
+  CORVO_SKIP_IF_SHORT();
   test::Random random(10);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> truth, bundles;

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
 #include "tests/vo/two_walls.h"
@@ -188,6 +189,7 @@ TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
 }
 
 TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
+  CORVO_SKIP_IF_SHORT();
   constexpr int kFrames = 300;
   const std::vector<cv::Mat> drive = test::MakeLongDrive(kFrames);
   OdometryOptions options;
