@@ -40,7 +40,7 @@ bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>
                              bundle.views[sighting.view].local_from_camera.data(),
                              bundle.points[sighting.point].in_local.data(), difference.data());
   }
-  problem.AddResidualBlock(MakePriorCost(BesideSightings(prior)), nullptr, difference.data());
+  problem.AddResidualBlock(MakePriorCost(prior), nullptr, difference.data());
   FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
@@ -53,8 +53,7 @@ Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& diff
   for (Bundle::Sighting& sighting : bundle.sightings) {
     sighting.is_inlier = sighting.is_inlier && is_selected[sighting.point];
   }
-  return CameraCovariance(BesideSightings(prior), difference, {std::move(bundle)}) /
-         kInformationFactor;
+  return CameraCovariance(prior, difference, {std::move(bundle)});
 }
 
 }  // namespace
@@ -62,19 +61,21 @@ Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& diff
 std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle) {
-  constexpr double kMaxSquaredError = 100;  // The camera's error is a pixel or two, others gross.
+  constexpr double kGrossError = 10 * 10;
+  const CameraPrior beside = BesideSightings(prior);
   const Bundle before = bundle;
   CameraEstimate estimate{start, {}};
-  MarkOutliers(Camera(prior.Apply(start)), kMaxSquaredError, bundle);
+  MarkOutliers(Camera(prior.Apply(start)), kGrossError, bundle);
   const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
-  if (!Solve(prior, options.max_iterations, is_selected, bundle, estimate.difference)) {
+  if (!Solve(beside, options.max_iterations, is_selected, bundle, estimate.difference)) {
     bundle = before;
     return std::nullopt;
   }
   const Camera camera(prior.Apply(estimate.difference));
   AdjustPoints(camera, is_selected, bundle);
   MarkOutliers(camera, kChiSquare2Dof95, bundle);
-  estimate.covariance = Covariance(prior, estimate.difference, is_selected, bundle);
+  estimate.covariance =
+      Covariance(beside, estimate.difference, is_selected, bundle) / kInformationFactor;
   return estimate;
 }
 

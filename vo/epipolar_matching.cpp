@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "vo/chi_square.h"
-#include "vo/lie/so3.h"
+#include "vo/essential_matrix.h"
 
 namespace corvo {
 namespace {
@@ -200,8 +200,7 @@ std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame&
   constexpr double kMaxRatio = 0.9;
   constexpr double kCellPx = 24;
   const SE3 second_from_first = second.world_from_camera.Inverse() * first.world_from_camera;
-  const Eigen::Matrix3d essential =
-      SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
+  const Eigen::Matrix3d essential = EssentialMatrix(second_from_first);
   const FreeKeypoints free_first = CollectFree(first, camera, noise);
   const double octave_step = noise.octave_scales.size() > 1 ? noise.octave_scales[1] : 1;
   const RayGrid grid(CollectFree(second, camera, noise), kCellPx / camera.focal());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vo/lie/so3.h"
+#include "vo/essential_matrix.h"
 
 namespace corvo {
 namespace {
@@ -16,11 +16,12 @@ struct RayPair {
 /// miss each other by far.
 RayPair MakeMeet(RayPair rays, const Eigen::Matrix3d& essential) {
   const Eigen::Matrix2d corner = essential.topLeftCorner<2, 2>();
-  Eigen::Vector2d normal_a = (essential * rays.b.homogeneous()).head<2>();
+  const Eigen::Vector3d line_in_a = essential * rays.b.homogeneous();
+  Eigen::Vector2d normal_a = line_in_a.head<2>();
   Eigen::Vector2d normal_b = (essential.transpose() * rays.a.homogeneous()).head<2>();
   const double curvature = normal_a.dot(corner * normal_b);
   const double half_norm = 0.5 * (normal_a.squaredNorm() + normal_b.squaredNorm());
-  const double miss = rays.a.homogeneous().dot(essential * rays.b.homogeneous());
+  const double miss = rays.a.homogeneous().dot(line_in_a);
   const double root = std::sqrt(std::max(half_norm * half_norm - curvature * miss, 0.0));
   if (!(half_norm + root > 0)) return rays;
   const double step = miss / (half_norm + root);
@@ -42,7 +43,7 @@ double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b) {
   const SE3 a_from_b = a.world_from_camera.Inverse() * b.world_from_camera;
   const Eigen::Matrix3d rotation = a_from_b.rotation().matrix();
-  const Eigen::Matrix3d essential = SO3::Hat(a_from_b.translation()) * rotation;
+  const Eigen::Matrix3d essential = EssentialMatrix(a_from_b);
   const RayPair met = MakeMeet({a.ray, b.ray}, essential);
   const Eigen::Vector3d in_b = rotation * met.b.homogeneous();
   const Eigen::Vector3d normal = met.a.homogeneous().cross(in_b);

@@ -11,6 +11,7 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "vo/chi_square.h"
+#include "vo/essential_matrix.h"
 #include "vo/median.h"
 #include "vo/rotation_estimator.h"
 #include "vo/triangulation.h"
@@ -245,10 +246,9 @@ TwoViewResult TriangulatePlanarMotion(const std::vector<RayMatch>& matches,
                                       const PlanarMotion& motion,
                                       const InitializerOptions& options) {
   TwoViewResult result;
-  const SO3& rotation = motion.second_from_first.rotation();
-  const SE3 second_from_first(rotation, motion.second_from_first.translation().normalized());
-  const Eigen::Matrix3d essential = SO3::Hat(second_from_first.translation()) * rotation.matrix();
-  const ModelScore score = ScoreEssential(essential, matches);
+  const SE3 second_from_first(motion.second_from_first.rotation(),
+                              motion.second_from_first.translation().normalized());
+  const ModelScore score = ScoreEssential(EssentialMatrix(second_from_first), matches);
   result.num_inliers = score.num_inliers;
   result.parallax_deg =
       Median(ComputeParallax(matches, EstimateRotation(matches))) * 180 / std::numbers::pi;

@@ -39,8 +39,10 @@ std::string ReadFile(const std::filesystem::path& path);
 
 /// First statement of a test that would take minutes under the sanitizers, and whose code others
 /// reach too.
-#define CORVO_SKIP_IF_SHORT() \
-  if (::corvo::test::IsShortRun()) GTEST_SKIP() << "too long for a short run"
+#define CORVO_SKIP_IF_SHORT()                                                    \
+  do {                                                                           \
+    if (::corvo::test::IsShortRun()) GTEST_SKIP() << "too long for a short run"; \
+  } while (false)
 
 /// First statement of a test that reads the real images: CORVO_REQUIRE_DATA("kitti/sequences/03");
 #define CORVO_REQUIRE_DATA(relative)                                                      \
