@@ -8,6 +8,7 @@
 
 #include "vo/bundle_problem.h"
 #include "vo/chi_square.h"
+#include "vo/huber.h"
 #include "vo/point_adjuster.h"
 #include "vo/point_selection.h"
 #include "vo/reprojection_cost.h"
@@ -19,7 +20,7 @@ ceres::Solver::Summary Solve(const Camera& camera, int max_iterations,
                              const std::vector<char>& is_selected, Bundle& bundle) {
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
+  ceres::HuberLoss huber(kHuberSigmas);
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
     if (!sighting.is_inlier || !is_selected[sighting.point]) continue;

@@ -1,5 +1,6 @@
 #include "vo/bundle_calibrator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "vo/bundle_problem.h"
 #include "vo/camera_covariance.h"
 #include "vo/chi_square.h"
+#include "vo/huber.h"
 #include "vo/point_adjuster.h"
 #include "vo/point_selection.h"
 
@@ -18,12 +20,15 @@ namespace {
 
 /// Of what the sigmas of keypoints say: these lie closer to their landmarks, but the errors along
 /// one track are alike.
-constexpr double kInformationFactor = 1.5;
+constexpr double kInformationFactor = 3.5;
 
-/// What the prior is worth beside sightings that count by their sigmas alone.
-CameraPrior BesideSightings(CameraPrior prior) {
-  for (FreeParameter& free : prior.free) free.sigma *= std::sqrt(kInformationFactor);
-  return prior;
+/// Fewer of each keyframe, the more there are: however many, an estimate takes about the same time.
+int PointsPerKeyframe(const Bundle& bundle, const CalibrationOptions& options) {
+  constexpr int kMaxPoints = 2500;
+  const auto num_moving = std::count_if(bundle.views.begin(), bundle.views.end(),
+                                        [](const Bundle::View& view) { return !view.is_held; });
+  const int share = kMaxPoints / std::max(1, static_cast<int>(num_moving));
+  return std::min(options.points_per_keyframe, share);
 }
 
 bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>& is_selected,
@@ -32,7 +37,7 @@ bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   problem_options.evaluation_callback = &adjusted;
-  ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
+  ceres::HuberLoss huber(kHuberSigmas);
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
     if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
@@ -62,11 +67,11 @@ std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle) {
   constexpr double kGrossError = 10 * 10;
-  const CameraPrior beside = BesideSightings(prior);
+  const CameraPrior beside = prior.Beside(kInformationFactor);
   const Bundle before = bundle;
   CameraEstimate estimate{start, {}};
   MarkOutliers(Camera(prior.Apply(start)), kGrossError, bundle);
-  const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
+  const std::vector<char> is_selected = SelectPoints(bundle, PointsPerKeyframe(bundle, options));
   if (!Solve(beside, options.max_iterations, is_selected, bundle, estimate.difference)) {
     bundle = before;
     return std::nullopt;

@@ -101,6 +101,12 @@ bool CameraPrior::Allows(const Eigen::VectorXd& difference) const {
   return SquaredError(difference) <= kChiSquare999[num_known];
 }
 
+CameraPrior CameraPrior::Beside(double information) const {
+  CameraPrior loosened = *this;
+  for (FreeParameter& parameter : loosened.free) parameter.sigma *= std::sqrt(information);
+  return loosened;
+}
+
 CameraPrior CameraPrior::Resized(int width, int height) const {
   CameraPrior resized{Camera(given).Resized(width, height).parameters(), free};
   for (FreeParameter& parameter : resized.free) {

@@ -52,6 +52,9 @@ struct CameraPrior {
   /// pressed into parameters that cannot express it.
   bool Allows(const Eigen::VectorXd& difference) const;
 
+  /// What the prior is worth beside pictures whose information counts `information` times.
+  CameraPrior Beside(double information) const;
+
   /// The prior of the same pictures resized, see Camera::Resized.
   CameraPrior Resized(int width, int height) const;
 

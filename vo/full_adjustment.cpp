@@ -104,7 +104,7 @@ bool Solve(const CameraPrior& prior, const FullAdjustmentOptions& options,
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   problem_options.evaluation_callback = &adjusted;
-  ceres::HuberLoss huber(std::sqrt(kChiSquare2Dof95));
+  ceres::HuberLoss huber(kHuberSigmas);
   ceres::Problem problem(problem_options);
   AddSightings(adjusted, &huber, parameters, problem);
   if (prior.num_free() > 0) {
@@ -142,7 +142,7 @@ double RobustCost(const CameraPrior& prior, const Eigen::VectorXd& difference,
   double sum = prior.SquaredError(difference);
   ForEachError(Camera(prior.Apply(difference)), bundles,
                [&](const Bundle::Sighting&, double error) {
-                 sum += HuberLoss(error, kChiSquare2Dof95).value;
+                 sum += HuberLoss(error, kHuberSigmas * kHuberSigmas).value;
                });
   return 0.5 * sum;
 }
@@ -191,10 +191,11 @@ void Account(const CameraPrior& prior, const Eigen::VectorXd& difference,
 
 }  // namespace
 
-FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& start,
+FullAdjustment AdjustFully(const CameraPrior& camera_prior, const CameraParameters& start,
                            const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,
                            const AdjustmentProgress& progress) {
-  prior.Validate();
+  camera_prior.Validate();
+  const CameraPrior prior = camera_prior.Beside(options.information_factor);
   const std::vector<Bundle> before = bundles;
   Parameters parameters(bundles);
   parameters.difference = prior.Difference(start);
@@ -211,6 +212,7 @@ FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& sta
     result.outcome = AdjustmentOutcome::kNotLowered;
     if (result.final_cost < result.initial_cost) {
       Account(prior, parameters.difference, bundles, result);
+      result.covariance /= options.information_factor;
     }
   }
   if (result.outcome != AdjustmentOutcome::kLowered) bundles = before;

@@ -15,6 +15,8 @@ using AdjustmentProgress = std::function<bool(double)>;
 
 struct FullAdjustmentOptions {
   int max_iterations = 30;  ///< Of either round.
+  /// How often the information of the sightings counts, beside the camera's prior.
+  double information_factor = 1;
 };
 
 enum class AdjustmentOutcome {
@@ -24,9 +26,10 @@ enum class AdjustmentOutcome {
   kNotLowered,    ///< The robust cost would be as high as before, or higher.
 };
 
-/// What became of a full adjustment. A robust cost is half the sum of Huber's loss (at the 95%
-/// quantile of χ²) of all sightings' squared errors, in units of sigma², and of the camera's χ²; a
-/// sighting that does not project counts as one with a squared error of 1e6.
+/// What became of a full adjustment. A robust cost is half the sum of Huber's loss (from
+/// kHuberSigmas on) of all sightings' squared errors, in units of sigma², and of the camera's χ²
+/// over the information factor; a sighting that does not project counts as one with a squared error
+/// of 1e6.
 struct FullAdjustment {
   AdjustmentOutcome outcome = AdjustmentOutcome::kNoSightings;
   double initial_cost = 0;
@@ -41,15 +44,15 @@ struct FullAdjustment {
 };
 
 /// Adjusts the poses and points of bundles that were all seen by one camera, and the camera: it is
-/// known as `prior` says, and sought from `start` on. Robust (Huber) and in two rounds: the second
-/// goes without the sightings that the first leaves more than five sigmas off. The points are
-/// eliminated (Schur complement); what is left is solved by dense algebra up to 300 views, by
+/// known as `camera_prior` says, and sought from `start` on. Robust (Huber) and in two rounds: the
+/// second goes without the sightings that the first leaves more than five sigmas off. The points
+/// are eliminated (Schur complement); what is left is solved by dense algebra up to 300 views, by
 /// sparse algebra beyond. Each bundle's gauge: its held views; with fewer than two of them the
 /// oldest view stays where it is, and the farthest keeps its distance from it. Afterwards sightings
 /// over the 95% quantile are marked as outliers. Unless the outcome is kLowered the bundles are as
 /// they were. Deterministic. Throws
 /// corvo::Error on a prior that is not valid, and on a start that is no camera.
-FullAdjustment AdjustFully(const CameraPrior& prior, const CameraParameters& start,
+FullAdjustment AdjustFully(const CameraPrior& camera_prior, const CameraParameters& start,
                            const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,
                            const AdjustmentProgress& progress = {});
 

@@ -59,35 +59,26 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
 }
 
 bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
-  constexpr int kMinKeyframes = 8;
+  constexpr int kMinKeyframes = 5;
   if (prior_.num_free() == 0 || calibration_.result.valid()) return false;
-  return num_keyframes >= std::max(kMinKeyframes, num_calibrated_ * 4 / 3);
+  const int next = contradicts_prior_ ? 2 * num_calibrated_ : num_calibrated_ * 4 / 3;
+  return num_keyframes >= std::max(kMinKeyframes, next);
 }
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
   constexpr int kMaxFramesBeside = 20;
-  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 2);
+  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 4);
   const AdjustmentWindow window = SelectNewestKeyframes(
       map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
   calibration_.result = std::async(
       std::launch::async,
-      [prior = prior_, start = estimate_.difference, options = options_](const Bundle& bundle) {
-        return Calibrate(prior, start, options, bundle);
+      [prior = prior_, start = estimate_.difference,
+       options = options_.calibration](Bundle&& bundle) {
+        Calibrated result{std::move(bundle), std::nullopt};
+        result.estimate = CalibrateBundle(prior, start, options, result.bundle);
+        return result;
       },
       CopyBundle(map, window, noise));
-}
-
-/// Adjusts the camera too, if it stays within its prior.
-MapAdjuster::Calibrated MapAdjuster::Calibrate(const CameraPrior& prior,
-                                               const Eigen::VectorXd& start,
-                                               const OdometryOptions& options,
-                                               const Bundle& bundle) {
-  Calibrated result{bundle, std::nullopt, false};
-  result.estimate = CalibrateBundle(prior, start, options.calibration, result.bundle);
-  if (!result.estimate || prior.Allows(result.estimate->difference)) return result;
-  result = {bundle, PriorEstimate(prior), true};
-  AdjustBundle(Camera(prior.given), options.bundle_adjuster, result.bundle);
-  return result;
 }
 
 bool MapAdjuster::Finish(Map& map, int frame) {
@@ -101,13 +92,15 @@ bool MapAdjuster::Finish(Map& map, int frame) {
 
 void MapAdjuster::FinishCalibration(Map& map) {
   const Calibrated result = calibration_.result.get();
-  WriteBack(result.bundle, map);
-  newest_ = kNoId;  // What is newer is to be adjusted to it.
-  contradicts_prior_ = result.contradicts_prior;
   if (!result.estimate) return;
-  estimate_ = *result.estimate;
-  camera_ = Camera(prior_.Apply(estimate_.difference));
+  contradicts_prior_ = !prior_.Allows(result.estimate->difference);
+  if (!contradicts_prior_) WriteBack(result.bundle, map);
+  estimate_ = contradicts_prior_ ? PriorEstimate(prior_) : *result.estimate;
+  const Camera camera(prior_.Apply(estimate_.difference));
+  if (camera == camera_) return;
+  camera_ = camera;
   map.UpdateRays(camera_);
+  newest_ = kNoId;  // What is newer is to be adjusted to it.
 }
 
 }  // namespace corvo

@@ -14,9 +14,9 @@
 namespace corvo {
 
 /// Adjusts the map on threads of its own, beside the frames that follow: the window of a new
-/// keyframe and, whenever the map has grown by a third, more keyframes and the camera with them.
-/// One of each at a time. Their results are due at fixed frames, however long they took, so that
-/// the same frames find the same map.
+/// keyframe and, whenever the map has grown by a third, more keyframes and the camera with them; by
+/// as much again, where the pictures contradict the camera. One of each at a time. Their results
+/// are due at fixed frames, however long they took, so that the same frames find the same map.
 class MapAdjuster {
  public:
   /// Throws corvo::Error on a prior that is not valid.
@@ -40,8 +40,7 @@ class MapAdjuster {
  private:
   struct Calibrated {
     Bundle bundle;
-    std::optional<CameraEstimate> estimate;
-    bool contradicts_prior = false;
+    std::optional<CameraEstimate> estimate;  // None: the solver failed, and nothing changes.
   };
 
   /// Under way while the result is valid.
@@ -52,9 +51,6 @@ class MapAdjuster {
 
     bool IsDue(int frame) const { return result.valid() && frame >= due_frame; }
   };
-
-  static Calibrated Calibrate(const CameraPrior& prior, const Eigen::VectorXd& start,
-                              const OdometryOptions& options, const Bundle& bundle);
 
   bool IsCalibrationDue(int num_keyframes) const;
   void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);

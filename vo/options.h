@@ -110,7 +110,7 @@ struct BundleAdjusterOptions {
   int max_keyframes = 10;
   int min_shared_landmarks = 15;
   int points_per_keyframe = 100;
-  int max_iterations = 5;
+  int max_iterations = 4;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
@@ -134,7 +134,7 @@ struct CalibrationOptions {
   double k1_sigma = 0.03;
   double k2_sigma = 0.02;
   int max_keyframes = 60;
-  int points_per_keyframe = 120;
+  int points_per_keyframe = 200;
   int max_iterations = 10;
 
   template <typename Self, typename Visitor>
@@ -146,7 +146,7 @@ struct CalibrationOptions {
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "of the given k2");
     field("max_keyframes", self.max_keyframes, 2, 1000, "that tell the camera, the newest");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
-          "that tell the camera, the longest tracks first");
+          "that tell the camera, the longest tracks first; fewer from 12 keyframes on");
     field("max_iterations", self.max_iterations, 1, 1000, "of one estimate");
   }
 };

@@ -2,12 +2,13 @@
 
 #include <cstddef>
 
-#include "vo/chi_square.h"
 #include "vo/huber.h"
 #include "vo/levenberg_marquardt.h"
 
 namespace corvo {
 namespace {
+
+constexpr double kHuberThreshold = kHuberSigmas * kHuberSigmas;
 
 void Accumulate(const Camera& camera, const SE3& camera_from_local,
                 const Bundle::Sighting& sighting, const Eigen::Vector3d& in_local,
@@ -16,13 +17,13 @@ void Accumulate(const Camera& camera, const SE3& camera_from_local,
   Camera::Jacobian by_camera_point;
   const auto pixel = camera.Project(camera_from_local * in_local, &by_camera_point);
   if (!pixel) {
-    equations.cost += HuberLoss(kUnseen, kChiSquare2Dof95).value;
+    equations.cost += HuberLoss(kUnseen, kHuberThreshold).value;
     return;
   }
   const Eigen::Vector2d residual = (*pixel - sighting.pixel) / sighting.sigma_px;
   const Camera::Jacobian jacobian =
       by_camera_point * camera_from_local.rotation().matrix() / sighting.sigma_px;
-  const Loss loss = HuberLoss(residual.squaredNorm(), kChiSquare2Dof95);
+  const Loss loss = HuberLoss(residual.squaredNorm(), kHuberThreshold);
   equations.cost += loss.value;
   equations.hessian += loss.weight * jacobian.transpose() * jacobian;
   equations.gradient += loss.weight * jacobian.transpose() * residual;

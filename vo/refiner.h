@@ -13,7 +13,8 @@ namespace corvo {
 
 struct RefinerOptions {
   SequenceOptions sequence;
-  FullAdjustmentOptions adjustment;
+  /// Errors are a fraction of their sigma, but alike along a track (docs/calibration.md).
+  FullAdjustmentOptions adjustment{.information_factor = 2};
 };
 
 /// A sequence adjusted as a whole.

@@ -66,6 +66,16 @@ TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDi
   EXPECT_EQ(MakePrior(given, options).num_free(), 0);
 }
 
+TEST(CameraPriorTest, BesideMoreInformationItIsWorthLess) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.02}}};
+  const CameraPrior beside = prior.Beside(4);
+  EXPECT_EQ(beside.given, prior.given);
+  EXPECT_THAT(beside.free,
+              testing::ElementsAre(FreeParameter{"focal", 0.02}, FreeParameter{"k1", 0.04}));
+  const Eigen::Vector2d difference(0.003, 0.01);
+  EXPECT_DOUBLE_EQ(4 * beside.SquaredError(difference), prior.SquaredError(difference));
+}
+
 TEST(CameraPriorTest, SigmasInPixelsAreResizedWithThePictures) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"cx", 2}, {"cy", 3}, {"k1", 0.1}});
   const CameraParameters& given = prior.given;

@@ -170,6 +170,21 @@ TEST(FullAdjustmentTest, ASurePriorHolds) {
   EXPECT_NEAR(result.camera.k1, 0, 1e-6);
 }
 
+TEST(FullAdjustmentTest, TheSightingsCountAsOftenAsTheyAreSaidTo) {
+  constexpr double kFactor = 4;
+  test::Random random(13);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 12, kNoisePx, random)}, again = bundles;
+  const CameraPrior prior{camera.parameters(), {{"focal", 0.01}, {"k1", 0.01}}};
+  const FullAdjustment counted =
+      AdjustFully(prior, prior.given, {.information_factor = kFactor}, bundles);
+  const FullAdjustment once = AdjustFully(prior.Beside(kFactor), prior.given, {}, again);
+  EXPECT_EQ(counted.camera, once.camera);
+  EXPECT_EQ(counted.final_cost, once.final_cost);
+  EXPECT_THAT(Eigen::MatrixXd(kFactor * counted.covariance),
+              test::IsMatrixNear(once.covariance, 1e-15));
+}
+
 TEST(FullAdjustmentTest, WhatCannotBeLoweredStays) {
   test::Random random(6);
   const Camera camera = test::PinholeCamera();
