@@ -24,7 +24,7 @@ constexpr double kInformationFactor = 3.5;
 
 /// Fewer of each keyframe, the more there are: however many, an estimate takes about the same time.
 int PointsPerKeyframe(const Bundle& bundle, const CalibrationOptions& options) {
-  constexpr int kMaxPoints = 2500;
+  constexpr int kMaxPoints = 4000;
   const auto num_moving = std::count_if(bundle.views.begin(), bundle.views.end(),
                                         [](const Bundle::View& view) { return !view.is_held; });
   const int share = kMaxPoints / std::max(1, static_cast<int>(num_moving));

@@ -135,11 +135,18 @@ TEST(MapAdjusterTest, AFixedCameraStays) {
 TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   test::Random random(5);
   Map map = MakeDistortedMap(0.3, random);
+  Map with_fixed_camera = map;
   MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(map, test::MakeNoise(), 0);
   adjuster.Finish(map, kEnd);
   EXPECT_TRUE(adjuster.contradicts_given_camera());
   EXPECT_EQ(adjuster.camera().parameters().k1, 0);
+  MapAdjuster fixed = MakeAdjuster(FixedCamera());
+  fixed.Start(with_fixed_camera, test::MakeNoise(), 0);
+  fixed.Finish(with_fixed_camera, kEnd);
+  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
+    EXPECT_EQ(map.WorldFromKeyframe(id), with_fixed_camera.WorldFromKeyframe(id)) << id;
+  }
 }
 
 }  // namespace
