@@ -1,6 +1,5 @@
 #include "vo/bundle_adjuster.h"
 
-#include <cmath>
 #include <map>
 #include <set>
 

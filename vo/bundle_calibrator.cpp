@@ -1,7 +1,6 @@
 #include "vo/bundle_calibrator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 

@@ -142,7 +142,7 @@ double RobustCost(const CameraPrior& prior, const Eigen::VectorXd& difference,
   double sum = prior.SquaredError(difference);
   ForEachError(Camera(prior.Apply(difference)), bundles,
                [&](const Bundle::Sighting&, double error) {
-                 sum += HuberLoss(error, kHuberSigmas * kHuberSigmas).value;
+                 sum += HuberLoss(error, kHuberThreshold).value;
                });
   return 0.5 * sum;
 }

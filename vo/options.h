@@ -146,7 +146,7 @@ struct CalibrationOptions {
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "of the given k2");
     field("max_keyframes", self.max_keyframes, 2, 1000, "that tell the camera, the newest");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
-          "that tell the camera, the longest tracks first; fewer from 20 keyframes on");
+          "that tell the camera, the longest tracks first; at most 4000 together");
     field("max_iterations", self.max_iterations, 1, 1000, "of one estimate");
   }
 };
