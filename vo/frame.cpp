@@ -10,6 +10,7 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   Frame frame;
   frame.index = index;
   frame.time_ns = time_ns;
+  frame.camera = camera.parameters();
   const std::size_t num_keypoints = features.keypoints.size();
   frame.features.keypoints.reserve(num_keypoints);
   frame.features.descriptors.reserve(num_keypoints);
@@ -35,6 +36,8 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
 }
 
 void UpdateRays(const Camera& camera, Frame& frame) {
+  if (frame.camera == camera.parameters()) return;
+  frame.camera = camera.parameters();
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     frame.rays[k] = camera.Undistort(frame.pixels[k]).value_or(frame.rays[k]);
   }

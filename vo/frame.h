@@ -22,10 +22,11 @@ struct Frame {
   orb::KeypointIndex keypoint_index;
   std::vector<orb::Patch> patches;      ///< Around each keypoint; empty if not known.
   std::vector<Eigen::Vector2d> pixels;  ///< Of each keypoint: where it was detected or aligned.
-  std::vector<Eigen::Vector2d> rays;    ///< (x/z, y/z) of each of `pixels`, by the camera.
+  std::vector<Eigen::Vector2d> rays;    ///< (x/z, y/z) of each of `pixels`, by `camera`.
   std::vector<char> is_aligned;         ///< With the patch of the landmark that it sees.
   std::vector<LandmarkId> landmarks;    ///< Seen by each keypoint, or kNoId.
   SE3 world_from_camera;
+  CameraParameters camera;  ///< That the rays are of.
 
   int num_keypoints() const { return static_cast<int>(features.keypoints.size()); }
   const orb::Keypoint& keypoint(int i) const { return features.keypoints[i]; }
@@ -38,7 +39,8 @@ struct Frame {
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
 
-/// Makes a frame's rays those of another camera; a pixel that it sees by no ray keeps the old one.
+/// Makes a frame's rays those of this camera, if they are of another; a pixel that it sees by no
+/// ray keeps the old one.
 void UpdateRays(const Camera& camera, Frame& frame);
 
 /// Keypoints that see a landmark.

@@ -92,6 +92,7 @@ int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const K
   const double min_depth = LeastDepth(Depths(map, map.keyframe(keyframe).frame));
   int num_created = 0;
   for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options.num_neighbors)) {
+    map.UpdateRays(camera, neighbor);
     const Frame& first = map.keyframe(keyframe).frame;
     const Frame& second = map.keyframe(neighbor).frame;
     for (const orb::Match& match :

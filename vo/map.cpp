@@ -116,8 +116,8 @@ void Map::DropPatches(KeyframeId id) {
   if (found != keyframes_.end()) std::vector<orb::Patch>().swap(found->second.frame.patches);
 }
 
-void Map::UpdateRays(const Camera& camera) {
-  for (auto& [id, keyframe] : keyframes_) corvo::UpdateRays(camera, keyframe.frame);
+void Map::UpdateRays(const Camera& camera, KeyframeId id) {
+  corvo::UpdateRays(camera, keyframes_.at(id).frame);
 }
 
 void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {

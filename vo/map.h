@@ -114,8 +114,9 @@ class Map {
   /// Drops the patches around a keyframe's keypoints: nothing more is aligned in it. No effect on
   /// one that is not kept.
   void DropPatches(KeyframeId id);
-  /// corvo::UpdateRays of every kept keyframe.
-  void UpdateRays(const Camera& camera);
+  /// corvo::UpdateRays of a keyframe that is kept: to be called before its rays are used, since the
+  /// camera may have been estimated anew.
+  void UpdateRays(const Camera& camera, KeyframeId id);
   /// The keyframe leaves; its pose stays as it is for ever. Landmarks that lose their second last
   /// observation leave with it and are returned, in the order of its keypoints.
   std::vector<FinishedLandmark> ArchiveKeyframe(KeyframeId id);

@@ -28,7 +28,7 @@ int NewestSpacing(const Map& map) {
 
 /// Few where keyframes follow each other fast: what they see is lost before it is adjusted, and
 /// with it the scale.
-int FramesBesideWindow(const Map& map) { return std::clamp(NewestSpacing(map) / 2, 2, 4); }
+int FramesBesideWindow(const Map& map) { return std::clamp(NewestSpacing(map) - 1, 2, 4); }
 
 }  // namespace
 
@@ -99,7 +99,6 @@ void MapAdjuster::FinishCalibration(Map& map) {
   const Camera camera(prior_.Apply(estimate_.difference));
   if (camera == camera_) return;
   camera_ = camera;
-  map.UpdateRays(camera_);
   newest_ = kNoId;  // What is newer is to be adjusted to it.
 }
 

@@ -53,15 +53,16 @@ std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<Keyfr
 
 }  // namespace
 
-TrackingResult Relocalize(const Map& map, int segment, const Camera& camera,
-                          const KeypointNoise& noise, const TrackerOptions& tracker,
-                          const RelocalizerOptions& options, Frame& frame) {
+TrackingResult Relocalize(Map& map, int segment, const Camera& camera, const KeypointNoise& noise,
+                          const TrackerOptions& tracker, const RelocalizerOptions& options,
+                          Frame& frame) {
   const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options.max_keyframes);
   const std::vector<LandmarkId> similar =
       FindSimilar(map, map.FindSeen(keyframes), tracker.max_distance, frame);
   TrackingResult best;
   best.reason = Reason::kTooFewMatches;
   for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options)) {
+    map.UpdateRays(camera, id);
     const Frame& keyframe = map.keyframe(id).frame;
     TrackingResult tracking =
         TrackFrame(map, keyframe, keyframe.world_from_camera, camera, noise, tracker, frame);

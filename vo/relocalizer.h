@@ -12,9 +12,10 @@ namespace corvo {
 /// Locates a frame without any idea of where it is, in the map of one segment. Each keypoint votes
 /// for the newest keyframes that see the landmark most like it; the frame is then tracked from the
 /// keyframes with the most votes, one after the other, until enough landmarks agree with a pose.
-/// On success sets the frame's pose and landmarks.
-TrackingResult Relocalize(const Map& map, int segment, const Camera& camera,
-                          const KeypointNoise& noise, const TrackerOptions& tracker,
-                          const RelocalizerOptions& options, Frame& frame);
+/// On success sets the frame's pose and landmarks. The map's keyframes get their rays by `camera`,
+/// where they had them by another.
+TrackingResult Relocalize(Map& map, int segment, const Camera& camera, const KeypointNoise& noise,
+                          const TrackerOptions& tracker, const RelocalizerOptions& options,
+                          Frame& frame);
 
 }  // namespace corvo

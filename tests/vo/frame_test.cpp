@@ -41,6 +41,21 @@ TEST(FrameTest, KeypointsWithoutARayAreDropped) {
   EXPECT_EQ(frame.rays.size(), 1u);
 }
 
+TEST(FrameTest, RaysBecomeThoseOfAnotherCamera) {
+  orb::Features features;
+  features.keypoints = {KeypointAt(0, 0), KeypointAt(419.5, 139.5)};
+  features.descriptors.resize(2);
+  Frame frame = MakeFrame(0, 0, features, test::PinholeCamera());
+  const Eigen::Vector2d old_corner_ray = frame.rays[0];
+  CameraParameters parameters = test::PinholeCamera().parameters();
+  parameters.k1 = -0.8;  // Rays turn over inside the picture's corners.
+  const Camera camera(parameters);
+  UpdateRays(camera, frame);
+  EXPECT_EQ(frame.camera, parameters);
+  EXPECT_EQ(frame.rays[0], old_corner_ray);
+  EXPECT_EQ(frame.rays[1], *camera.Undistort({419.5, 139.5}));
+}
+
 TEST(KeypointNoiseTest, GrowsWithTheOctaveAndShrinksWithAlignment) {
   const KeypointNoise noise{0.5, 0.25, {1.0, 1.2, 1.44}};
   orb::Features features;

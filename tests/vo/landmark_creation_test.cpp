@@ -37,5 +37,22 @@ TEST_F(LandmarkCreationTest, FarPointsWithoutParallaxAreLeftOut) {
   EXPECT_EQ(CreateLandmarks(map_, 2, camera_, noise_, options_), 0);
 }
 
+TEST_F(LandmarkCreationTest, AllRaysAreThoseOfTheCameraAsItIsKnownNow) {
+  MakeViews(3, 100);
+  CameraParameters parameters = camera_.parameters();
+  parameters.k1 = 0.02;
+  const Camera camera(parameters);
+  Map updated = map_;
+  for (KeyframeId id = 0; id < 3; ++id) updated.UpdateRays(camera, id);
+  map_.UpdateRays(camera, 2);
+  const LandmarkId first_new = map_.num_landmark_ids();
+  ASSERT_GT(CreateLandmarks(updated, 2, camera, noise_, options_), 100);
+  CreateLandmarks(map_, 2, camera, noise_, options_);
+  ASSERT_EQ(map_.num_landmark_ids(), updated.num_landmark_ids());
+  for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
+    EXPECT_EQ(map_.FindLandmark(id)->in_world, updated.FindLandmark(id)->in_world);
+  }
+}
+
 }  // namespace
 }  // namespace corvo

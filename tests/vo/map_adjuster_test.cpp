@@ -26,7 +26,6 @@ Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& rand
     views.back().frame.index = spacing * i;
   }
   Map map = test::MakeMap(scene, views, test::MakeNoise());
-  map.UpdateRays(test::PinholeCamera());
   for (KeyframeId id = 1; id < num_views; ++id) {
     map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
   }

@@ -27,7 +27,7 @@ class RelocalizerTest : public ::testing::Test {
     return test::ObserveScene(scene_, camera_, pose, 0.3, random_);
   }
 
-  TrackingResult Locate(Frame& frame, const RelocalizerOptions& options = {}) const {
+  TrackingResult Locate(Frame& frame, const RelocalizerOptions& options = {}) {
     return Relocalize(map_, 0, camera_, noise_, TrackerOptions(), options, frame);
   }
 
