@@ -129,17 +129,42 @@ std::optional<SE3> LocateAnywhere(const Map& map, const Frame& previous, const C
   return EstimatePose(in_world, rays, kMaxErrorSigmas * noise.sigma_px / camera.focal());
 }
 
+/// Where a frame is and what its keypoints see there.
+struct Location {
+  SE3 world_from_camera;
+  std::vector<LandmarkId> landmarks;
+  int num_inliers = 0;
+};
+
+/// The better of a search near the prediction and, where most of its matches disagree with one
+/// pose, a wider one: a prediction that is off finds enough that is merely alike.
+Location LocateNear(const Map& map, const Frame& previous, const SE3& predicted,
+                    const Camera& camera, const KeypointNoise& noise, const TrackerOptions& options,
+                    Frame& frame) {
+  constexpr double kMinInlierShare = 0.5;
+  Location best;
+  for (const double widening : {1.0, 2.0}) {
+    const double radius_px = widening * options.search_radius_px;
+    const int num_matches =
+        MatchPrevious(map, previous, predicted, camera, noise, options, radius_px, frame);
+    if (num_matches < options.min_matches) continue;
+    const int num_inliers = RefinePose(map, predicted, camera, noise, frame);
+    if (num_inliers > best.num_inliers) {
+      best = {frame.world_from_camera, frame.landmarks, num_inliers};
+    }
+    if (num_inliers >= kMinInlierShare * num_matches) break;
+  }
+  return best;
+}
+
 /// A first pose from the landmarks of the frame before. Returns the inliers.
 int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted, const Camera& camera,
                   const KeypointNoise& noise, const TrackerOptions& options, Frame& frame) {
-  for (const double widening : {1.0, 2.0}) {
-    const double radius_px = widening * options.search_radius_px;
-    if (MatchPrevious(map, previous, predicted, camera, noise, options, radius_px, frame) <
-        options.min_matches) {
-      continue;
-    }
-    const int num_inliers = RefinePose(map, predicted, camera, noise, frame);
-    if (num_inliers >= options.min_matches / 2) return num_inliers;
+  Location near = LocateNear(map, previous, predicted, camera, noise, options, frame);
+  if (near.num_inliers >= options.min_matches / 2) {
+    frame.world_from_camera = near.world_from_camera;
+    frame.landmarks = std::move(near.landmarks);
+    return near.num_inliers;
   }
   const std::optional<SE3> located = LocateAnywhere(map, previous, camera, noise, frame);
   if (!located) return 0;

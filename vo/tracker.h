@@ -20,9 +20,10 @@ struct TrackingResult {
 };
 
 /// Locates `frame` in the map. Landmarks of the frame before are matched near where `predicted`
-/// puts them (the wider the search, the fewer were found; at last anywhere, with a robust
-/// perspective-n-point pose), which gives a pose; the landmarks of the keyframes around are then
-/// projected and matched, and the pose refined. On success sets the frame's pose and landmarks.
+/// puts them (wider, where few were found or most of them disagree with one pose; at last anywhere,
+/// with a robust perspective-n-point pose), which gives a pose; the landmarks of the keyframes
+/// around are then projected and matched, and the pose refined. On success sets the frame's pose
+/// and landmarks.
 TrackingResult TrackFrame(const Map& map, const Frame& previous, const SE3& predicted,
                           const Camera& camera, const KeypointNoise& noise,
                           const TrackerOptions& options, Frame& frame);

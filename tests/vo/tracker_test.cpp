@@ -30,6 +30,25 @@ class TrackerTest : public ::testing::Test {
     return TrackFrame(map_, previous_, predicted, camera_, noise_, TrackerOptions(), frame);
   }
 
+  /// Adds keypoints that look much, but less than the true ones, like landmarks of the frame
+  /// before: the first where a pose would put them, the next anywhere around.
+  Frame AddDecoys(const Frame& frame, const SE3& pose, int num_in_place, int num_around) {
+    orb::Features features = frame.features;
+    for (int k = 0; k < num_in_place + num_around; ++k) {
+      const Landmark* landmark = map_.FindLandmark(previous_.landmarks[k]);
+      if (landmark == nullptr) continue;
+      const auto pixel = camera_.Project(pose.Inverse() * landmark->in_world);
+      if (!pixel) continue;
+      orb::Keypoint keypoint;
+      const double spread_px = k < num_in_place ? 0 : 10;
+      keypoint.x = static_cast<float>(pixel->x() + random_.Uniform(-spread_px, spread_px));
+      keypoint.y = static_cast<float>(pixel->y() + random_.Uniform(-spread_px, spread_px));
+      features.keypoints.push_back(keypoint);
+      features.descriptors.push_back(test::FlipBits(previous_.descriptor(k), 40, random_));
+    }
+    return MakeFrame(0, 0, features, camera_);
+  }
+
   test::Random random_{1};
   Camera camera_ = test::PinholeCamera();
   KeypointNoise noise_ = test::MakeNoise();
@@ -74,6 +93,15 @@ TEST_F(TrackerTest, SurvivesABadPrediction) {
   test::SceneView view = View(truth);
   EXPECT_EQ(TrackNext(Shifted(0.6), view.frame).reason, Reason::kNone);
   EXPECT_THAT(view.frame.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
+}
+
+TEST_F(TrackerTest, IsNotTakenInByWhatLooksAlikeNearABadPrediction) {
+  const SE3 predicted = Shifted(0.9);
+  const SE3 truth = predicted * SE3(SO3::Exp({0, 0.04, 0}), Eigen::Vector3d::Zero());  // 20 px.
+  const test::SceneView view = View(truth);
+  Frame seen = AddDecoys(view.frame, predicted, 40, 160);
+  EXPECT_EQ(TrackNext(predicted, seen).reason, Reason::kNone);
+  EXPECT_THAT(seen.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
 }
 
 TEST_F(TrackerTest, SaysThatNothingMatches) {
