@@ -14,6 +14,7 @@
 #include "apps/candidate_report.h"
 #include "apps/focal_start.h"
 #include "apps/interruption.h"
+#include "apps/odometry_pass.h"
 #include "apps/output_folder.h"
 #include "apps/progress_line.h"
 #include "apps/residual_plot.h"
@@ -80,9 +81,6 @@ std::vector<CameraDescription> Descriptions(const std::string& model) {
   return descriptions;
 }
 
-/// Ctrl-C, as an error that ends everything: nothing has been written yet.
-struct Interrupted {};
-
 class Calibration {
  public:
   explicit Calibration(const CalibrateArguments& arguments)
@@ -129,17 +127,7 @@ class Calibration {
     Odometry odometry(prior, {}, threads_);
     SightingsSpool spool;
     odometry.SetSightingsSink([&](const FrameSightings& frame) { spool.Add(frame); });
-    ProgressLine line;
-    int num_read = 0;
-    while (const auto next = source.Next()) {
-      odometry.Process(next->image, next->time_ns, next->mask);
-      const auto num_pictures = source.size();
-      line.Show(num_pictures ? std::optional(static_cast<double>(++num_read) / *num_pictures)
-                             : std::nullopt,
-                text);
-      if (interruption_.IsRequested()) throw Interrupted();
-    }
-    odometry.Finish();
+    PassThrough(std::move(source), text, interruption_, odometry);
     const auto replay = [&](const SightingsSink& visit) { spool.ForEach(visit); };
     return SequenceRecord(odometry, replay, {}).MakeBundles();
   }

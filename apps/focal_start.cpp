@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/odometry_pass.h"
 #include "orb/error.h"
 #include "vo/picture_pairs.h"
 
@@ -83,6 +84,17 @@ CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences) {
         "straight along the axis",
         search.num_pairs, prior.given.fx, 100 * prior.free.front().sigma);
   }
+  return prior;
+}
+
+CameraPrior FindCamera(const ImageOpener& open, const OdometryOptions& options, int threads,
+                       const Interruption& interruption) {
+  constexpr int kMaxPictures = 500;
+  CameraPrior prior = FindFocalLength({open});
+  Odometry odometry(prior, options, threads);
+  PassThrough(open(), "finding the camera", interruption, odometry, kMaxPictures);
+  prior.given = odometry.camera().parameters();
+  spdlog::info("first pass: {:.1f} px", prior.given.fx);
   return prior;
 }
 

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "apps/image_source.h"
+#include "apps/interruption.h"
 #include "vo/camera_prior.h"
 #include "vo/focal_search.h"
+#include "vo/options.h"
 
 namespace corvo {
 
@@ -21,8 +23,15 @@ FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences);
 /// principal point to within a hundredth of the width; k1 and k2 are all but unknown.
 CameraPrior MakeFocalPrior(const FocalSearchResult& search);
 
-/// The same of a sequence; says on standard error what was found, and what to film where the focal
+/// The same of sequences; says on standard error what was found, and what to film where the focal
 /// length is not determined.
 CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences);
+
+/// The same of a sequence that is opened prepared, but the camera is the one that the odometry has
+/// found when it has passed through the first 500 pictures: what was tracked before a camera is
+/// known stays worse. It is known no better than the search knows it, so that a run over the same
+/// pictures counts them once. Throws Interrupted.
+CameraPrior FindCamera(const ImageOpener& open, const OdometryOptions& options, int threads,
+                       const Interruption& interruption);
 
 }  // namespace corvo

@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/interruption.h"
+#include "apps/odometry_pass.h"
 #include "apps/output_folder.h"
 #include "apps/progress.h"
 #include "apps/progress_line.h"
@@ -100,9 +101,8 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
   return record;
 }
 
-int Run(const RunArguments& arguments) {
-  const Interruption interruption;  // Before any thread begins: each takes it over.
-  RunInputs inputs = ReadInputs(arguments);
+int Run(const RunArguments& arguments, const Interruption& interruption) {
+  RunInputs inputs = ReadInputs(arguments, interruption);
   OutputFolder output(arguments.output);
   const RunRecord record = ProcessImages(inputs, arguments, interruption);
   if (record.is_interrupted) {
@@ -113,6 +113,16 @@ int Run(const RunArguments& arguments) {
   WriteResults(arguments, inputs, record, summary, output);
   fmt::print("{}", SummaryText(arguments, summary));
   return static_cast<int>(summary.outcome);
+}
+
+int RunUnlessInterrupted(const RunArguments& arguments) {
+  const Interruption interruption;  // Before any thread begins: each takes it over.
+  try {
+    return Run(arguments, interruption);
+  } catch (const Interrupted&) {
+    spdlog::error("interrupted while the camera was looked for: nothing is written");
+    return kInterrupted;
+  }
 }
 
 }  // namespace
@@ -149,7 +159,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->footer(kFooter);
-  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = RunUnlessInterrupted(*arguments); });
 }
 
 }  // namespace corvo

@@ -76,27 +76,29 @@ void CheckFocal(const RunArguments& arguments) {
                   arguments.input.string()));
 }
 
-/// The camera of pictures that ship none, from the pictures themselves.
-CameraPrior FindCamera(const RunArguments& arguments) {
-  return FindFocalLength({[&arguments] {
-    ImageSource pictures = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
-                                      kDefaultFrameRateHz, arguments.selection);
-    const TimedImage& first = pictures.First();
-    const cv::Size size = first.image.size();
-    const MaskSource masks =
-        arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
-    pictures.Prepare({size, size, masks});
-    return pictures;
-  }});
+/// The pictures of a run, of the size that they have.
+ImageSource OpenPictures(const RunArguments& arguments) {
+  ImageSource pictures = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
+                                    kDefaultFrameRateHz, arguments.selection);
+  const TimedImage& first = pictures.First();
+  const cv::Size size = first.image.size();
+  const MaskSource masks =
+      arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
+  pictures.Prepare({size, size, masks});
+  return pictures;
 }
 
 /// Named, found or the dataset's own.
 CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<CameraFile>& named,
-                       const CalibrationOptions& options, ImageSource& source) {
-  if (named) return named->Prior(options);
-  if (!arguments.focal.empty()) return FindCamera(arguments);
+                       const OdometryOptions& options, const Interruption& interruption,
+                       ImageSource& source) {
+  if (named) return named->Prior(options.calibration);
+  if (!arguments.focal.empty()) {
+    return FindCamera([&] { return OpenPictures(arguments); }, options, arguments.threads,
+                      interruption);
+  }
   if (!source.list().camera) ThrowNoCamera(arguments, source.First().image.size());
-  return MakePrior(*source.list().camera, options);
+  return MakePrior(*source.list().camera, options.calibration);
 }
 
 }  // namespace
@@ -134,8 +136,8 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
                          "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
   command
       .add_option("--focal", arguments.focal,
-                  "auto: the focal length is searched for in the pictures, and estimated while it "
-                  "runs, with k1 and k2; instead of the dataset's camera")
+                  "auto: the camera is found in the pictures: a search for the focal length, and a "
+                  "first pass through 500 of them at most; instead of the dataset's camera")
       ->check(CLI::IsMember({"auto"}))
       ->excludes(camera);
   command
@@ -149,14 +151,14 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
                      "image, or folder with one for each: no features where it is 0");
 }
 
-RunInputs ReadInputs(const RunArguments& arguments) {
+RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption) {
   const OdometryOptions options = ReadRunOptions(arguments);
   const std::optional<CameraFile> named = ReadNamedCamera(arguments);
   CheckFocal(arguments);
   ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   DefaultFrameRate(named), arguments.selection);
   const TimedImage& first = source.First();
-  const CameraPrior camera = ReadCamera(arguments, named, options.calibration, source);
+  const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);
   const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
   const MaskSource masks =

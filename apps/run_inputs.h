@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include "apps/image_source.h"
+#include "apps/interruption.h"
 #include "apps/run_truth.h"
 #include "vo/camera_prior.h"
 #include "vo/options.h"
@@ -48,9 +49,9 @@ void AddSelectionOptions(CLI::App& command, Selection& selection);
 /// Adds INPUT and the options that say which pictures are read, and how.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
-/// Reads and checks all of it, and that the first picture has the camera's size. Throws
-/// corvo::Error.
-RunInputs ReadInputs(const RunArguments& arguments);
+/// Reads and checks all of it, and that the first picture has the camera's size; finds the camera
+/// where that is asked for. Throws corvo::Error and Interrupted.
+RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption);
 
 /// The size of "WxH", or of `size` times a factor, rounded. Throws corvo::Error on any other text,
 /// and on a size outside 16 to 100000 px.

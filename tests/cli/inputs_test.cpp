@@ -327,7 +327,9 @@ class PreparedInputs : public testing::Test {
     arguments_.output = folder_ / "result";
   }
 
-  std::vector<TimedImage> Prepared() const { return ReadAll(ReadInputs(arguments_).source); }
+  std::vector<TimedImage> Prepared() const {
+    return ReadAll(ReadInputs(arguments_, Interruption()).source);
+  }
 
   TempFolder folder_;
   RunArguments arguments_;
@@ -335,7 +337,7 @@ class PreparedInputs : public testing::Test {
 
 TEST_F(PreparedInputs, ResizeScalesTheCameraWithThePictures) {
   arguments_.resize = "48x16";
-  RunInputs inputs = ReadInputs(arguments_);
+  RunInputs inputs = ReadInputs(arguments_, Interruption());
   EXPECT_EQ(inputs.camera.given.width, 48);
   EXPECT_EQ(inputs.camera.given.height, 16);
   EXPECT_EQ(inputs.camera.given.fx, 40);
@@ -399,19 +401,20 @@ TEST_F(PreparedInputs, NamesAMaskOfAnotherSize) {
 TEST_F(PreparedInputs, TakeTheCameraOfTumMono) {
   WriteText(folder_ / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n96 64\n");
   arguments_.camera = folder_ / "camera.txt";
-  EXPECT_EQ(ReadInputs(arguments_).camera.given, ReadTumMonoCamera(folder_ / "camera.txt"));
+  EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given,
+            ReadTumMonoCamera(folder_ / "camera.txt"));
 }
 
 TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {
   WriteVideo(folder_ / "drive.avi", 3);
   arguments_.input = folder_ / "drive.avi";
-  EXPECT_TRUE(ReadInputs(arguments_).truth.poses.empty());
+  EXPECT_TRUE(ReadInputs(arguments_, Interruption()).truth.poses.empty());
   WriteText(folder_ / "tum.txt", "0 0 0 0 0 0 0 1\n0.04 1 0 0 0 0 0 1\n");
   arguments_.truth = folder_ / "tum.txt";
-  EXPECT_EQ(ReadInputs(arguments_).truth.poses.size(), 2u);
+  EXPECT_EQ(ReadInputs(arguments_, Interruption()).truth.poses.size(), 2u);
   WriteText(folder_ / "kitti.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   arguments_.truth = folder_ / "kitti.txt";
-  EXPECT_THAT(ErrorOf([&] { ReadInputs(arguments_); }),
+  EXPECT_THAT(ErrorOf([&] { ReadInputs(arguments_, Interruption()); }),
               HasSubstr("kitti.txt: KITTI format has no times"));
 }
 
