@@ -104,7 +104,7 @@ bool Solve(const CameraPrior& prior, const FullAdjustmentOptions& options,
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   problem_options.evaluation_callback = &adjusted;
-  ceres::HuberLoss huber(kHuberSigmas);
+  ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
   AddSightings(adjusted, &huber, parameters, problem);
   if (prior.num_free() > 0) {
@@ -137,12 +137,12 @@ void ForEachError(const Camera& camera, std::vector<Bundle>& bundles,
   }
 }
 
-double RobustCost(const CameraPrior& prior, const Eigen::VectorXd& difference,
+double RobustCost(const CameraPrior& prior, const Eigen::VectorXd& difference, double huber_sigmas,
                   std::vector<Bundle>& bundles) {
   double sum = prior.SquaredError(difference);
   ForEachError(Camera(prior.Apply(difference)), bundles,
                [&](const Bundle::Sighting&, double error) {
-                 sum += HuberLoss(error, kHuberThreshold).value;
+                 sum += HuberLoss(error, huber_sigmas * huber_sigmas).value;
                });
   return 0.5 * sum;
 }
@@ -206,9 +206,9 @@ FullAdjustment AdjustFully(const CameraPrior& camera_prior, const CameraParamete
   }
   if (result.num_sightings == 0) return result;
   result.outcome = AdjustmentOutcome::kSolverFailed;
-  result.initial_cost = RobustCost(prior, parameters.difference, bundles);
+  result.initial_cost = RobustCost(prior, parameters.difference, options.huber_sigmas, bundles);
   if (std::isfinite(result.initial_cost) && SolveInRounds(prior, options, progress, parameters)) {
-    result.final_cost = RobustCost(prior, parameters.difference, bundles);
+    result.final_cost = RobustCost(prior, parameters.difference, options.huber_sigmas, bundles);
     result.outcome = AdjustmentOutcome::kNotLowered;
     if (result.final_cost < result.initial_cost) {
       Account(prior, parameters.difference, bundles, result);

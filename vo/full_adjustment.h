@@ -7,6 +7,7 @@
 
 #include "vo/bundle.h"
 #include "vo/camera_prior.h"
+#include "vo/huber.h"
 
 namespace corvo {
 
@@ -17,6 +18,7 @@ struct FullAdjustmentOptions {
   int max_iterations = 30;  ///< Of either round.
   /// How often the information of the sightings counts, beside the camera's prior.
   double information_factor = 1;
+  double huber_sigmas = kHuberSigmas;  ///< Where Huber's loss becomes linear.
 };
 
 enum class AdjustmentOutcome {
@@ -26,8 +28,8 @@ enum class AdjustmentOutcome {
   kNotLowered,    ///< The robust cost would be as high as before, or higher.
 };
 
-/// What became of a full adjustment. A robust cost is half the sum of Huber's loss (from
-/// kHuberSigmas on) of all sightings' squared errors, in units of sigma², and of the camera's χ²
+/// What became of a full adjustment. A robust cost is half the sum of Huber's loss of all
+/// sightings' squared errors, in units of sigma², and of the camera's χ²
 /// over the information factor; a sighting that does not project counts as one with a squared error
 /// of 1e6.
 struct FullAdjustment {

@@ -14,7 +14,7 @@ namespace corvo {
 struct RefinerOptions {
   SequenceOptions sequence;
   /// Errors are a fraction of their sigma, but alike along a track (docs/calibration.md).
-  FullAdjustmentOptions adjustment{.information_factor = 2};
+  FullAdjustmentOptions adjustment{.information_factor = 4.5, .huber_sigmas = 0.37};
 };
 
 /// A sequence adjusted as a whole.
