@@ -76,15 +76,17 @@ void CheckFocal(const RunArguments& arguments) {
                   arguments.input.string()));
 }
 
+MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
+  return arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
+}
+
 /// The pictures of a run, of the size that they have.
 ImageSource OpenPictures(const RunArguments& arguments) {
   ImageSource pictures = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                     kDefaultFrameRateHz, arguments.selection);
   const TimedImage& first = pictures.First();
   const cv::Size size = first.image.size();
-  const MaskSource masks =
-      arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
-  pictures.Prepare({size, size, masks});
+  pictures.Prepare({size, size, OpenMasks(arguments, first)});
   return pictures;
 }
 
@@ -161,9 +163,7 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
   const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);
   const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
-  const MaskSource masks =
-      arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
-  source.Prepare({size, resized, masks});
+  source.Prepare({size, resized, OpenMasks(arguments, first)});
   RunTruth truth = ReadTruth(arguments, source.list());
   return {options, camera.Resized(resized.width, resized.height), std::move(source),
           std::move(truth)};

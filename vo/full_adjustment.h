@@ -29,9 +29,8 @@ enum class AdjustmentOutcome {
 };
 
 /// What became of a full adjustment. A robust cost is half the sum of Huber's loss of all
-/// sightings' squared errors, in units of sigma², and of the camera's χ²
-/// over the information factor; a sighting that does not project counts as one with a squared error
-/// of 1e6.
+/// sightings' squared errors, in units of sigma², and of the camera's χ² over the information
+/// factor; a sighting that does not project counts as one with a squared error of 1e6.
 struct FullAdjustment {
   AdjustmentOutcome outcome = AdjustmentOutcome::kNoSightings;
   double initial_cost = 0;

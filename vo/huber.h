@@ -7,8 +7,6 @@ namespace corvo {
 /// Where the loss of an adjustment becomes linear, in sigmas: sooner than outliers begin, as most
 /// errors are a fraction of their sigma (docs/ablation.md).
 inline constexpr double kHuberSigmas = 1;
-/// The same of a squared error, see HuberLoss.
-inline constexpr double kHuberThreshold = kHuberSigmas * kHuberSigmas;
 
 /// A loss of a squared error, and its derivative: the weight.
 struct Loss {

@@ -8,6 +8,8 @@
 namespace corvo {
 namespace {
 
+constexpr double kHuberThreshold = kHuberSigmas * kHuberSigmas;
+
 void Accumulate(const Camera& camera, const SE3& camera_from_local,
                 const Bundle::Sighting& sighting, const Eigen::Vector3d& in_local,
                 NormalEquations<3>& equations) {
