@@ -12,6 +12,7 @@
 #include "orb/matcher.h"
 #include "vo/frame_matching.h"
 #include "vo/landmark_alignment.h"
+#include "vo/landmark_covariance.h"
 #include "vo/landmark_projection.h"
 #include "vo/pose_optimizer.h"
 
@@ -80,9 +81,10 @@ int RefinePose(const Map& map, const SE3& initial, const Camera& camera, const K
   std::vector<PointObservation> observations;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] == kNoId) continue;
+    const Landmark& landmark = *map.FindLandmark(frame.landmarks[k]);
     keypoints.push_back(k);
-    observations.push_back(
-        {map.FindLandmark(frame.landmarks[k])->in_world, frame.pixel(k), noise.Sigma(frame, k)});
+    observations.push_back({landmark.in_world, frame.pixel(k), noise.Sigma(frame, k),
+                            LandmarkCovariance(map, landmark, camera, noise)});
   }
   const PoseEstimate estimate = OptimizePose(initial, observations, camera);
   frame.world_from_camera = estimate.world_from_camera;

@@ -96,6 +96,12 @@ TEST(RealSequenceTest, Kitti03KeepsItsScaleAtHalfTheFrameRate) {
   ExpectAccurateWithEvery(2, "03", 0.6);
 }
 
+/// The camera moves by 3 m from one picture to the next.
+TEST(RealSequenceTest, Kitti03KeepsItsScaleAtAQuarterOfTheFrameRate) {
+  CORVO_REQUIRE_DATA("kitti/sequences/03");
+  ExpectAccurateWithEvery(4, "03", 0.8);
+}
+
 /// The camera turns by up to 10 degrees from one picture to the next.
 TEST(RealSequenceTest, Kitti05KeepsItsScaleAtAThirdOfTheFrameRate) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");

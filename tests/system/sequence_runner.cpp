@@ -20,7 +20,7 @@ void ProcessAll(const PictureSource& source, int num_frames, Odometry& odometry)
 Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera) {
   Odometry odometry(camera, OdometryOptions(), 2);
   ProcessAll(source, num_frames, odometry);
-  return odometry.GetTrajectory();
+  return odometry.Finish();
 }
 
 Refinement RunAndRefine(const PictureSource& source, int num_frames, const Camera& camera) {

@@ -18,7 +18,7 @@ struct TimedPicture {
 };
 using PictureSource = std::function<TimedPicture(int)>;
 
-/// Runs Odometry with default options over frames 0 to num_frames - 1.
+/// Runs Odometry with default options over frames 0 to num_frames - 1 and finishes it.
 Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera);
 
 /// The same, refined after the last frame.
