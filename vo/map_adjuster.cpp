@@ -10,8 +10,11 @@
 namespace corvo {
 namespace {
 
-/// Kept keyframes of a segment.
-int CountKept(const Map& map, int segment) {
+constexpr int kMinCalibrationKeyframes = 5;
+
+/// Kept keyframes of the newest one's segment.
+int CountKept(const Map& map) {
+  const int segment = map.SegmentOf(map.num_keyframes() - 1);
   const std::vector<KeyframeId> kept = map.KeptKeyframes();
   return static_cast<int>(std::count_if(
       kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
@@ -43,9 +46,7 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
   const KeyframeId newest = map.num_keyframes() - 1;
   if (window_.result.valid() || newest == newest_) return;
   newest_ = newest;
-  const int num_keyframes = CountKept(map, map.SegmentOf(newest));
-  if (IsCalibrationDue(num_keyframes)) {
-    num_calibrated_ = num_keyframes;
+  if (!calibration_.result.valid() && CountKept(map) >= NextCalibration()) {
     StartCalibration(map, noise, frame);
   }
   window_.due_frame = frame + FramesBesideWindow(map);
@@ -58,18 +59,24 @@ void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
       CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
 }
 
-bool MapAdjuster::IsCalibrationDue(int num_keyframes) const {
-  constexpr int kMinKeyframes = 5;
-  if (prior_.num_free() == 0 || calibration_.result.valid()) return false;
+void MapAdjuster::StartLastCalibration(const Map& map, const KeypointNoise& noise, int frame) {
+  if (contradicts_prior_ || newest_calibrated_ == map.num_keyframes() - 1) return;
+  if (CountKept(map) >= kMinCalibrationKeyframes) StartCalibration(map, noise, frame);
+}
+
+int MapAdjuster::NextCalibration() const {
   const int next = contradicts_prior_ ? 2 * num_calibrated_ : num_calibrated_ * 4 / 3;
-  return num_keyframes >= std::max(kMinKeyframes, next);
+  return std::max(kMinCalibrationKeyframes, next);
 }
 
 void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
   constexpr int kMaxFramesBeside = 20;
+  if (prior_.num_free() == 0) return;
+  num_calibrated_ = CountKept(map);
+  newest_calibrated_ = map.num_keyframes() - 1;
   calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 4);
   const AdjustmentWindow window = SelectNewestKeyframes(
-      map, newest_, options_.calibration.max_keyframes, options_.bundle_adjuster);
+      map, newest_calibrated_, options_.calibration.max_keyframes, options_.bundle_adjuster);
   calibration_.result = std::async(
       std::launch::async,
       [prior = prior_, start = estimate_.difference,

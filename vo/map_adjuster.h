@@ -26,6 +26,10 @@ class MapAdjuster {
   /// result of the adjustment before has been taken.
   void Start(const Map& map, const KeypointNoise& noise, int frame);
 
+  /// Begins an estimate of the camera after the last frame, if there are keyframes that told none.
+  /// What was begun before has been taken.
+  void StartLastCalibration(const Map& map, const KeypointNoise& noise, int frame);
+
   /// Gives the map the results that are due before a frame, waiting for them. Returns whether there
   /// were any.
   bool Finish(Map& map, int frame);
@@ -52,7 +56,8 @@ class MapAdjuster {
     bool IsDue(int frame) const { return result.valid() && frame >= due_frame; }
   };
 
-  bool IsCalibrationDue(int num_keyframes) const;
+  /// Keyframes of a segment at which the camera is estimated next.
+  int NextCalibration() const;
   void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
   void FinishCalibration(Map& map);
 
@@ -63,7 +68,8 @@ class MapAdjuster {
   Adjustment<Calibrated> calibration_;
   KeyframeId newest_ = kNoId;  // Whose window was adjusted last, with the camera as it is now.
   CameraEstimate estimate_;
-  int num_calibrated_ = 0;  // Keyframes that told estimate_, or are about to.
+  int num_calibrated_ = 0;                // Keyframes that told estimate_, or are about to.
+  KeyframeId newest_calibrated_ = kNoId;  // Of these.
   bool contradicts_prior_ = false;
 };
 

@@ -212,7 +212,10 @@ void Odometry::ArchiveKeyframes() {
 
 Trajectory Odometry::Finish() {
   FinishMapping();
-  if (has_map()) adjuster_.Start(map_, noise_, records_.size());
+  if (!has_map()) return GetTrajectory();
+  adjuster_.StartLastCalibration(map_, noise_, records_.size());
+  FinishMapping();
+  adjuster_.Start(map_, noise_, records_.size());
   FinishMapping();
   return GetTrajectory();
 }

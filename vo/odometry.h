@@ -62,8 +62,9 @@ class Odometry {
   /// poses, and frames seen before initialisation get poses afterwards.
   Trajectory GetTrajectory() const { return records_.ToTrajectory(map_); }
 
-  /// Ends the sequence: joins work done beside the frames and returns the trajectory, which then
-  /// stays as it is until the next call to Process.
+  /// Ends the sequence: joins work done beside the frames, estimates the camera once more with the
+  /// newest keyframes and returns the trajectory, which then stays as it is until the next call to
+  /// Process.
   Trajectory Finish();
 
   /// As newly made, with the same camera and options.

@@ -109,6 +109,21 @@ TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
   EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
 }
 
+TEST(MapAdjusterTest, ALastEstimateUsesKeyframesThatToldNone) {
+  test::Random random(4), again(4);
+  Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
+  Map grown = MakeDisturbedMap(15, test::PinholeCamera(), again);
+  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(map, test::MakeNoise(), 0);
+  adjuster.Finish(map, kEnd);
+  const Eigen::MatrixXd before = adjuster.camera_estimate().covariance;
+  adjuster.StartLastCalibration(map, test::MakeNoise(), 0);
+  EXPECT_FALSE(adjuster.Finish(map, kEnd));
+  adjuster.StartLastCalibration(grown, test::MakeNoise(), 0);
+  EXPECT_TRUE(adjuster.Finish(grown, kEnd));
+  EXPECT_LT(adjuster.camera_estimate().covariance.trace(), before.trace());
+}
+
 TEST(MapAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
