@@ -34,21 +34,19 @@ struct Stage {
   CameraEstimate CameraRun::*estimate;
 };
 
-const std::vector<Stage> kStages = {
-    {"while it runs", &CameraRun::ate, &CameraRun::estimate},
-    {"refined", &CameraRun::refined_ate, &CameraRun::refined_estimate}};
+const Stage kRunning = {"while it runs", &CameraRun::ate, &CameraRun::estimate};
+const Stage kRefined = {"refined", &CameraRun::refined_ate, &CameraRun::refined_estimate};
 
 Miss MissOf(const HonestyTrial& trial, const Stage& stage) {
   const CameraEstimate& estimate = trial.wrong.*stage.estimate;
   return {estimate.difference - DrawOf(trial), estimate.covariance};
 }
 
-/// Of the prior's sigmas, the largest of all parameters.
-double LargestMove(const CameraEstimate& estimate) {
+/// The largest entry, each in sigmas of the prior.
+double LargestInSigmas(const Eigen::VectorXd& difference) {
   double largest = 0;
-  for (std::size_t i = 0; i < kFree.size(); ++i) {
-    largest = std::max(
-        largest, std::abs(estimate.difference[static_cast<Eigen::Index>(i)]) / kFree[i].sigma);
+  for (Eigen::Index i = 0; i < difference.size(); ++i) {
+    largest = std::max(largest, std::abs(difference[i]) / kFree[i].sigma);
   }
   return largest;
 }
@@ -108,14 +106,18 @@ std::string AteLine(const Stage& stage, const std::string& title, const Trials& 
 
 std::string MoveLine(const std::string& title, const Trials& trials) {
   if (trials.empty()) return "";
-  std::vector<double> exact, wrong;
+  std::vector<double> exact, wrong, given_miss, miss;
   for (const HonestyTrial* trial : trials) {
-    exact.push_back(LargestMove(trial->exact.estimate));
-    wrong.push_back(LargestMove(trial->wrong.estimate));
+    exact.push_back(LargestInSigmas(trial->exact.estimate.difference));
+    wrong.push_back(LargestInSigmas(trial->wrong.estimate.difference));
+    given_miss.push_back(LargestInSigmas(DrawOf(*trial)));
+    miss.push_back(LargestInSigmas(MissOf(*trial, kRunning).error));
   }
-  return fmt::format("| {} | {} | {:.2f} ({:.2f}) | {:.2f} ({:.2f}) |\n", title, trials.size(),
-                     Percentile(exact, 50), Percentile(exact, 100), Percentile(wrong, 50),
-                     Percentile(wrong, 100));
+  std::string line = fmt::format("| {} | {} |", title, trials.size());
+  for (const std::vector<double>& values : {exact, wrong, given_miss, miss}) {
+    line += fmt::format(" {:.2f} ({:.2f}) |", Percentile(values, 50), Percentile(values, 100));
+  }
+  return line + "\n";
 }
 
 }  // namespace
@@ -135,7 +137,7 @@ HonestyTrial RunHonestyTrial(FilmScene scene, int seed, const OdometryOptions& o
           RunWithCamera(film, wrong, options, refine)};
 }
 
-std::string HonestyTables(const std::vector<HonestyTrial>& trials) {
+std::string HonestyTables(const std::vector<HonestyTrial>& trials, bool refined) {
   const Trials streets = SelectTrials(trials, {FilmScene::kStreet});
   const Trials rooms = SelectTrials(trials, {FilmScene::kRoom});
   const Trials both = SelectTrials(trials, {FilmScene::kStreet, FilmScene::kRoom});
@@ -147,7 +149,9 @@ std::string HonestyTables(const std::vector<HonestyTrial>& trials) {
       "\n| ATE over that with the true camera fixed, median (10% - 90%) | true camera given, "
       "estimated | the same, sigmas of the options | wrong camera given, estimated | of these "
       "within 1.3, % |\n|---|---|---|---|---|\n";
-  for (const Stage& stage : kStages) {
+  std::vector<Stage> stages = {kRunning};
+  if (refined) stages.push_back(kRefined);
+  for (const Stage& stage : stages) {
     for (const auto& [title, of_scene] :
          {std::pair("street", &streets), std::pair("room", &rooms), std::pair("both", &both)}) {
       honest += HonestyLine(stage, title, *of_scene);
@@ -155,8 +159,9 @@ std::string HonestyTables(const std::vector<HonestyTrial>& trials) {
     }
   }
   return honest + ates +
-         "\n| largest move from the given camera, in sigmas of the prior, median (worst) | runs | "
-         "true camera given | wrong camera given |\n|---|---|---|---|\n" +
+         "\n| largest, in sigmas of the prior, median (worst) | runs | move from the true camera, "
+         "given | move from a wrong camera, given | that one's error | what is left of it "
+         "|\n|---|---|---|---|---|---|\n" +
          MoveLine("straight on", SelectTrials(trials, {FilmScene::kStraight})) +
          MoveLine("pure rotation", SelectTrials(trials, {FilmScene::kRotation}));
 }

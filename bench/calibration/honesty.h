@@ -29,7 +29,7 @@ HonestyTrial RunHonestyTrial(FilmScene scene, int seed, const OdometryOptions& o
                              bool refine);
 
 /// Markdown: whether sigmas are honest and what that gives, scene by scene and over all; what
-/// comes out where nothing tells the camera.
-std::string HonestyTables(const std::vector<HonestyTrial>& trials);
+/// comes out where little or nothing tells the camera.
+std::string HonestyTables(const std::vector<HonestyTrial>& trials, bool refined);
 
 }  // namespace corvo::bench

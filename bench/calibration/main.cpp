@@ -167,7 +167,7 @@ int Main(int argc, char** argv) {
   if (arguments.rendered || !arguments.recorded) {
     const std::vector<HonestyTrial> trials = RunHonestyTrials(arguments, options);
     json["honesty"] = trials;
-    fmt::print("{}\n", HonestyTables(trials));
+    fmt::print("{}\n", HonestyTables(trials, arguments.refine));
   }
   if (arguments.recorded || !arguments.rendered) {
     const std::vector<LearningTrial> trials = RunLearningTrials(arguments, options);
