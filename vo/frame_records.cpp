@@ -7,7 +7,7 @@ namespace {
 
 /// The first at a share of 0, the second at 1.
 SE3 Interpolate(const SE3& first, const SE3& second, double share) {
-  return first * SE3::Exp(share * (first.Inverse() * second).Log());
+  return first * (first.Inverse() * second).Power(share);
 }
 
 }  // namespace

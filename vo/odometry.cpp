@@ -35,9 +35,6 @@ class StageTimer {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The same velocity for another time: Exp(factor Log(motion)).
-SE3 ScaleMotion(const SE3& motion, double factor) { return SE3::Exp(factor * motion.Log()); }
-
 const OdometryOptions& Validated(const OdometryOptions& options) {
   options.Validate();
   return options;
@@ -355,7 +352,7 @@ void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int s
 SE3 Odometry::PredictPose(const Frame& from, TimeNs time_ns) const {
   if (step_ns_ == 0) return from.world_from_camera;
   const double steps = static_cast<double>(time_ns - from.time_ns) / static_cast<double>(step_ns_);
-  return from.world_from_camera * ScaleMotion(motion_, steps);
+  return from.world_from_camera * motion_.Power(steps);
 }
 
 /// So that the speed over the first baseline is the last one known.

@@ -100,7 +100,7 @@ SE3 Sequence::PoseAt(double frame) const {
   const SE3 pose = scene_from_camera(before);
   if (inside == before) return pose;
   const SE3 step = pose.Inverse() * scene_from_camera(before + 1);
-  return pose * SE3::Exp((inside - before) * step.Log());
+  return pose * step.Power(inside - before);
 }
 
 std::vector<Quad> Sequence::MovingQuadsAt(double frame) const {

@@ -75,6 +75,14 @@ TEST(SE3Test, GroupLaws) {
   }
 }
 
+TEST(SE3Test, APowerIsTheSameMotionFurther) {
+  const SE3 motion = SE3::Exp({0.3, -0.2, 1, 0.4, 0.1, -0.3});
+  EXPECT_THAT(motion.Power(0), IsPoseNear(SE3(), kTinyDeg, 1e-14));
+  EXPECT_THAT(motion.Power(3), IsPoseNear(motion * motion * motion, kTinyDeg, 1e-13));
+  EXPECT_THAT(motion.Power(-1), IsPoseNear(motion.Inverse(), kTinyDeg, 1e-14));
+  EXPECT_THAT(motion.Power(0.25) * motion.Power(0.75), IsPoseNear(motion, kTinyDeg, 1e-14));
+}
+
 TEST(SE3Test, AdjointMovesAPerturbationToTheOtherSide) {
   const SE3::Tangent delta = (SE3::Tangent() << 0.4, -0.5, 0.6, 0.1, 0.2, -0.3).finished();
   for (const SE3::Tangent& motion : AwkwardMotions()) {

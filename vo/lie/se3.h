@@ -37,6 +37,8 @@ class SE3 {
   Tangent Log() const;
 
   SE3 Inverse() const;
+  /// Exp(exponent Log(this)): the same motion at constant velocity, `exponent` times as long.
+  SE3 Power(double exponent) const { return Exp(exponent * Log()); }
   SE3 operator*(const SE3& right) const;
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
     return rotation_ * point + translation_;
