@@ -95,7 +95,7 @@ class Calibration {
     // While the tracks change, one model is enough.
     const CameraDescription first =
         descriptions_.size() == 1 ? descriptions_.front() : CameraDescription::kRadtan;
-    CameraPrior prior = FindFocalLength(openers_);
+    CameraPrior prior = FindFocalLength(openers_, interruption_);
     for (int round = 1;; ++round) {
       const std::vector<Bundle> bundles = TrackAll(prior, round);
       if (bundles.empty()) return {};

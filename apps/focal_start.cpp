@@ -15,22 +15,28 @@ namespace {
 
 constexpr int kMaxPairs = 16;  // Of all sequences.
 
+void ThrowIfRequested(const Interruption& interruption) {
+  if (interruption.IsRequested()) throw Interrupted();
+}
+
 /// Of a sequence whose end alone tells.
-int CountPictures(ImageSource source) {
+int CountPictures(ImageSource source, const Interruption& interruption) {
   int count = 0;
-  while (source.Skip()) ++count;
+  for (; source.Skip(); ++count) ThrowIfRequested(interruption);
   return count;
 }
 
 /// Adds a sequence's pairs, and checks or sets the size of its pictures.
-void AddPairs(const ImageOpener& open, int max_pairs, cv::Size& size,
-              std::vector<PixelMatches>& pairs) {
+void AddPairs(const ImageOpener& open, int max_pairs, const Interruption& interruption,
+              cv::Size& size, std::vector<PixelMatches>& pairs) {
   ImageSource source = open();
   const bool is_counted = !source.list().images.empty();
-  PicturePairs sequence(is_counted ? *source.size() : CountPictures(open()), max_pairs);
+  PicturePairs sequence(is_counted ? *source.size() : CountPictures(open(), interruption),
+                        max_pairs);
   const TimedImage& first = source.First();
   if (size.empty()) size = first.image.size();
   for (int i = 0;; ++i) {
+    ThrowIfRequested(interruption);
     if (!sequence.Needs(i)) {
       if (!source.Skip()) break;
       continue;
@@ -48,11 +54,12 @@ void AddPairs(const ImageOpener& open, int max_pairs, cv::Size& size,
 
 }  // namespace
 
-FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences) {
+FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences,
+                              const Interruption& interruption) {
   cv::Size size;
   std::vector<PixelMatches> pairs;
   const int max_pairs = std::max(1, kMaxPairs / std::max<int>(1, sequences.size()));
-  for (const ImageOpener& open : sequences) AddPairs(open, max_pairs, size, pairs);
+  for (const ImageOpener& open : sequences) AddPairs(open, max_pairs, interruption, size, pairs);
   return SearchFocal(pairs, size.width, size.height);
 }
 
@@ -71,8 +78,9 @@ CameraPrior MakeFocalPrior(const FocalSearchResult& search) {
            {"k2", kK2Sigma}}};
 }
 
-CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences) {
-  const FocalSearchResult search = SearchFocal(sequences);
+CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences,
+                            const Interruption& interruption) {
+  const FocalSearchResult search = SearchFocal(sequences, interruption);
   CameraPrior prior = MakeFocalPrior(search);
   if (search.is_determined) {
     spdlog::info("focal search: {:.1f} px, from {} pairs of pictures", prior.given.fx,
@@ -90,7 +98,7 @@ CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences) {
 CameraPrior FindCamera(const ImageOpener& open, const OdometryOptions& options, int threads,
                        const Interruption& interruption) {
   constexpr int kMaxPictures = 500;
-  CameraPrior prior = FindFocalLength({open});
+  CameraPrior prior = FindFocalLength({open}, interruption);
   Odometry odometry(prior, options, threads);
   PassThrough(open(), "finding the camera", interruption, odometry, kMaxPictures);
   prior.given = odometry.camera().parameters();

@@ -15,8 +15,10 @@ namespace corvo {
 using ImageOpener = std::function<ImageSource()>;
 
 /// Searches the focal length of the one camera that took all these sequences. Each is opened and
-/// read once, those of unknown length twice. Throws corvo::Error where pictures differ in size.
-FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences);
+/// read once, those of unknown length twice. Throws corvo::Error where pictures differ in size, and
+/// Interrupted.
+FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences,
+                              const Interruption& interruption);
 
 /// The camera from which to start: its focal length is known to within the search's sigma, at least
 /// a tenth, as the centre and distortion that the search assumes are not the camera's; its
@@ -24,8 +26,9 @@ FocalSearchResult SearchFocal(const std::vector<ImageOpener>& sequences);
 CameraPrior MakeFocalPrior(const FocalSearchResult& search);
 
 /// The same of sequences; says on standard error what was found, and what to film where the focal
-/// length is not determined.
-CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences);
+/// length is not determined. Throws corvo::Error and Interrupted.
+CameraPrior FindFocalLength(const std::vector<ImageOpener>& sequences,
+                            const Interruption& interruption);
 
 /// The same of a sequence that is opened prepared, but the camera is the one that the odometry has
 /// found when it has passed through the first 500 pictures: what was tracked before a camera is

@@ -1,12 +1,15 @@
 // Everything `corvo run` reads beside folders of grey 8-bit pictures.
 #include <cmath>
+#include <csignal>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "apps/focal_start.h"
 #include "apps/image_source.h"
+#include "apps/odometry_pass.h"
 #include "apps/run_inputs.h"
 #include "apps/tum_mono_sequence.h"
 #include "tests/cli/expect_error.h"
@@ -403,6 +406,13 @@ TEST_F(PreparedInputs, TakeTheCameraOfTumMono) {
   arguments_.camera = folder_ / "camera.txt";
   EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given,
             ReadTumMonoCamera(folder_ / "camera.txt"));
+}
+
+TEST_F(PreparedInputs, TheSearchForAFocalLengthCanBeInterrupted) {
+  const Interruption interruption;
+  raise(SIGINT);
+  EXPECT_THROW(FindFocalLength({[&] { return Open(arguments_.input); }}, interruption),
+               Interrupted);
 }
 
 TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {

@@ -69,7 +69,7 @@ inline void WriteEuroc(const std::filesystem::path& mav0, int count) {
   for (int i = 0; i < count; ++i) {
     const std::string time_ns = std::to_string(1403636579763555584 + 50000000LL * i);
     WriteImage(mav0 / "cam0" / "data" / (time_ns + ".png"), TinyImage(i));
-    table += time_ns + "," + time_ns + ".png\r\n";
+    table.append(time_ns).append(",").append(time_ns).append(".png\r\n");
   }
   WriteText(mav0 / "cam0" / "data.csv", table);
   WriteText(mav0 / "cam0" / "sensor.yaml", EurocSensor());

@@ -185,7 +185,8 @@ TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
 /// Focal length that the pictures of a folder alone tell.
 FocalSearchResult SearchFolder(const std::string& folder) {
   return SearchFocal(
-      {[&folder] { return OpenImages(test::DataPath(folder).string(), std::nullopt, 30, {}); }});
+      {[&folder] { return OpenImages(test::DataPath(folder).string(), std::nullopt, 30, {}); }},
+      Interruption());
 }
 
 /// The real cameras' centres and distortions are not those that the search assumes: that alone is
