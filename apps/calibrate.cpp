@@ -139,7 +139,7 @@ class Calibration {
       line.Show(share, fmt::format("adjusting, {}", ToString(description)));
       return !interruption_.IsRequested();
     });
-    if (interruption_.IsRequested()) throw Interrupted();
+    interruption_.ThrowIfRequested();
     return candidate;
   }
 

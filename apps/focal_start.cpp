@@ -15,14 +15,10 @@ namespace {
 
 constexpr int kMaxPairs = 16;  // Of all sequences.
 
-void ThrowIfRequested(const Interruption& interruption) {
-  if (interruption.IsRequested()) throw Interrupted();
-}
-
 /// Of a sequence whose end alone tells.
 int CountPictures(ImageSource source, const Interruption& interruption) {
   int count = 0;
-  for (; source.Skip(); ++count) ThrowIfRequested(interruption);
+  for (; source.Skip(); ++count) interruption.ThrowIfRequested();
   return count;
 }
 
@@ -36,7 +32,7 @@ void AddPairs(const ImageOpener& open, int max_pairs, const Interruption& interr
   const TimedImage& first = source.First();
   if (size.empty()) size = first.image.size();
   for (int i = 0;; ++i) {
-    ThrowIfRequested(interruption);
+    interruption.ThrowIfRequested();
     if (!sequence.Needs(i)) {
       if (!source.Skip()) break;
       continue;

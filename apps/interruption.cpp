@@ -24,4 +24,8 @@ bool Interruption::IsRequested() const {
   return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
 }
 
+void Interruption::ThrowIfRequested() const {
+  if (IsRequested()) throw Interrupted();
+}
+
 }  // namespace corvo

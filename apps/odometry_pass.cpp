@@ -17,7 +17,7 @@ void PassThrough(ImageSource source, const std::string& text, const Interruption
     std::optional<double> share;
     if (source.size()) share = (num_read + 1.0) / std::min(max_pictures, *source.size());
     line.Show(share, text);
-    if (interruption.IsRequested()) throw Interrupted();
+    interruption.ThrowIfRequested();
   }
   odometry.Finish();
 }

@@ -9,9 +9,6 @@
 
 namespace corvo {
 
-/// Ctrl-C, as an error that ends a command: nothing has been written yet.
-struct Interrupted {};
-
 /// Gives an odometry the pictures of a sequence that is prepared, at most so many of them, under a
 /// bar with this text, and ends it. Throws corvo::Error and Interrupted.
 void PassThrough(ImageSource source, const std::string& text, const Interruption& interruption,

@@ -9,7 +9,6 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/interruption.h"
-#include "apps/odometry_pass.h"
 #include "apps/output_folder.h"
 #include "apps/progress.h"
 #include "apps/progress_line.h"

@@ -95,8 +95,9 @@ PoseEstimate OptimizePose(const SE3& initial, const std::vector<PointObservation
   estimate.world_from_camera = initial;
   estimate.is_inlier.assign(observations.size(), 1);
   std::vector<WeightedObservation> weighted;
+  const SE3 initial_from_world = initial.Inverse();
   for (const PointObservation& observation : observations) {
-    weighted.push_back(Weigh(observation, initial.Inverse(), camera));
+    weighted.push_back(Weigh(observation, initial_from_world, camera));
   }
   for (int round = 0; round < kRounds; ++round) {
     estimate.world_from_camera = Minimize(estimate.world_from_camera, weighted, estimate.is_inlier,

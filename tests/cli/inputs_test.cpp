@@ -9,7 +9,7 @@
 
 #include "apps/focal_start.h"
 #include "apps/image_source.h"
-#include "apps/odometry_pass.h"
+#include "apps/interruption.h"
 #include "apps/run_inputs.h"
 #include "apps/tum_mono_sequence.h"
 #include "tests/cli/expect_error.h"
