@@ -9,7 +9,7 @@
 
 #include "apps/synthetic/sequence.h"
 #include "orb/error.h"
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "orb/error.h"
 #include "orb/extractor.h"
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::bench {
 namespace {

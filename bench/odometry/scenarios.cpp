@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::bench {
 namespace {

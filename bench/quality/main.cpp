@@ -14,7 +14,7 @@
 #include "bench/quality/charts.h"
 #include "bench/quality/report.h"
 #include "orb/error.h"
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::bench {
 namespace {

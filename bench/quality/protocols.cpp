@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "orb/error.h"
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::bench {
 namespace {

@@ -4,6 +4,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "tests/cli/tiny_sequence.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::test {
 namespace {
@@ -133,7 +134,7 @@ ExampleFolder::ExampleFolder() {
   for (const char* name : {"truth.txt", "estimate.txt", "groundtruth.txt"}) {
     WriteText(folder_ / name, ExamplePoses(0, 0.1));
   }
-  fs::create_directory_symlink(CORVO_SOURCE_DIR "/configs", folder_ / "configs");
+  fs::create_directory_symlink(SourceDir() / "configs", folder_ / "configs");
 }
 
 CommandResult ExampleFolder::Run(const std::string& command) const {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/cli/example_folder.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::test {
 namespace {
@@ -62,7 +63,7 @@ class ReadmeCommands : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ReadmeCommands, Run) {
-  const auto commands = CommandsIn(ReadText(fs::path(CORVO_SOURCE_DIR) / GetParam()));
+  const auto commands = CommandsIn(ReadText(SourceDir() / GetParam()));
   EXPECT_GE(commands.size(), 4u);
   std::vector<std::string> of_any_result;
   for (const std::string& command : commands) {

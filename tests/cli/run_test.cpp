@@ -29,8 +29,6 @@ const char* const kCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
 
-const char* const kShippedCamera = CORVO_SOURCE_DIR "/configs/7scenes.yaml";
-
 const char* const kReproducibleFiles[] = {
     "trajectory.tum", "rotations.tum", "trajectory_euroc.csv",
     "keyframes.tum",  "map.ply",       "frames.csv",
@@ -315,9 +313,9 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItIsInterrupted) {
   for (int i = 1; i < 500; ++i) {
     fs::create_hard_link(folder_ / "many/0.png", folder_ / "many" / (std::to_string(i) + ".png"));
   }
-  const CommandResult result =
-      InterruptCorvo({"run", folder_ / "many", "--camera", kShippedCamera, "-o", result_},
-                     result_ / ".corvo-unfinished");
+  const CommandResult result = InterruptCorvo(
+      {"run", folder_ / "many", "--camera", SourceDir() / "configs/7scenes.yaml", "-o", result_},
+      result_ / ".corvo-unfinished");
   EXPECT_EQ(result.exit_code, kInterrupted);
   EXPECT_THAT(result.out, IsEmpty());
   EXPECT_THAT(result.err, HasSubstr("corvo: error: interrupted after "));

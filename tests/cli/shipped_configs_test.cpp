@@ -6,6 +6,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/data/data_path.h"
 #include "vo/config.h"
 
 namespace corvo::test {
@@ -26,7 +27,7 @@ bool IsCamera(const fs::path& file) {
 /// The shipped files of cameras, or of options.
 std::vector<std::string> Shipped(bool cameras) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(CORVO_SOURCE_DIR "/configs")) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(SourceDir() / "configs")) {
     if (IsCamera(entry.path()) == cameras) names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
@@ -42,7 +43,7 @@ std::string TestName(const testing::TestParamInfo<std::string>& info) {
 
 class ShippedConfig : public testing::TestWithParam<std::string> {
  protected:
-  const fs::path file_ = fs::path(CORVO_SOURCE_DIR "/configs") / GetParam();
+  const fs::path file_ = SourceDir() / "configs" / GetParam();
   TempFolder folder_;
 };
 
@@ -85,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Configs, ShippedOptions, testing::ValuesIn(Shipped(fals
 INSTANTIATE_TEST_SUITE_P(Configs, ShippedCamera, testing::ValuesIn(Shipped(true)), TestName);
 
 TEST(ShippedOptionsTest, Orb2011IsTheArticles) {
-  const auto options = ReadOptions(CORVO_SOURCE_DIR "/configs/orb_2011.yaml").extractor;
+  const auto options = ReadOptions(test::SourceDir() / "configs/orb_2011.yaml").extractor;
   EXPECT_EQ(options.num_features, 500);
   EXPECT_EQ(options.num_levels, 5);
   EXPECT_NEAR(options.scale_factor * options.scale_factor, 2, 1e-12);

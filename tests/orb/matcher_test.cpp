@@ -11,6 +11,7 @@
 #include "orb/extractor.h"
 #include "orb/hamming.h"
 #include "tests/orb/images.h"
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/random.h"
 
@@ -56,6 +57,7 @@ TEST(FindNearestTest, IsTheDefinitionWithTiesToTheLowerIndex) {
 }
 
 TEST(FindNearestTest, IsTheDefinitionOnRealImages) {
+  CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor({.num_features = 1200});
   const auto queries = extractor.Extract(test::ReadGrey("oxford_affine/graf/img1.ppm"));
   const auto train = extractor.Extract(test::ReadGrey("oxford_affine/graf/img2.ppm"));

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 namespace corvo::test {
 

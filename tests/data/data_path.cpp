@@ -1,4 +1,4 @@
-#include "tests/support/data_path.h"
+#include "tests/data/data_path.h"
 
 #include <stdlib.h>
 
