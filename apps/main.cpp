@@ -6,14 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "apps/calibrate.h"
-#include "apps/config.h"
-#include "apps/eval.h"
-#include "apps/features.h"
-#include "apps/learn.h"
-#include "apps/match.h"
-#include "apps/run.h"
-#include "apps/synth.h"
+#include "apps/commands/calibrate.h"
+#include "apps/commands/config.h"
+#include "apps/commands/eval.h"
+#include "apps/commands/features.h"
+#include "apps/commands/learn.h"
+#include "apps/commands/match.h"
+#include "apps/commands/run.h"
+#include "apps/commands/synth.h"
 
 namespace corvo {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "apps/environment.h"
+#include "apps/output/environment.h"
 #include "bench/benchmarks.h"
 #include "bench/table_reporter.h"
 #include "orb/kernels/instruction_sets.h"

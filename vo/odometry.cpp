@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "orb/error.h"
-#include "vo/culling.h"
-#include "vo/keyframe_policy.h"
-#include "vo/landmark_alignment.h"
-#include "vo/relocalizer.h"
+#include "vo/map/landmark_alignment.h"
+#include "vo/mapping/culling.h"
+#include "vo/mapping/keyframe_policy.h"
+#include "vo/tracking/relocalizer.h"
 
 namespace corvo {
 namespace {

@@ -7,21 +7,21 @@
 #include <opencv2/core/mat.hpp>
 
 #include "orb/extractor.h"
-#include "vo/camera.h"
-#include "vo/camera_prior.h"
-#include "vo/conventions.h"
-#include "vo/frame.h"
-#include "vo/frame_records.h"
-#include "vo/frame_result.h"
-#include "vo/frame_sightings.h"
-#include "vo/initializer.h"
-#include "vo/keypoint_noise.h"
-#include "vo/landmark_builder.h"
-#include "vo/map.h"
-#include "vo/map_adjuster.h"
-#include "vo/options.h"
-#include "vo/tracker.h"
-#include "vo/trajectory.h"
+#include "vo/camera/camera.h"
+#include "vo/camera/camera_prior.h"
+#include "vo/core/conventions.h"
+#include "vo/core/frame_result.h"
+#include "vo/core/options.h"
+#include "vo/core/trajectory.h"
+#include "vo/map/frame.h"
+#include "vo/map/frame_history.h"
+#include "vo/map/frame_observations.h"
+#include "vo/map/keypoint_noise.h"
+#include "vo/map/map.h"
+#include "vo/mapping/landmark_builder.h"
+#include "vo/mapping/map_adjuster.h"
+#include "vo/tracking/initializer.h"
+#include "vo/tracking/tracker.h"
 
 namespace corvo {
 
@@ -79,7 +79,8 @@ class Odometry {
   using LandmarkSink = std::function<void(const FinishedLandmark&)>;
   void SetLandmarkSink(LandmarkSink sink) { landmark_sink_ = std::move(sink); }
 
-  /// Calls `sink` with what each frame saw, from now on. Stays through a Reset. See vo/refiner.h.
+  /// Calls `sink` with what each frame saw, from now on. Stays through a Reset. See
+  /// vo/offline/refiner.h.
   void SetSightingsSink(SightingsSink sink) { sightings_sink_ = std::move(sink); }
 
   /// Calls `visit` with what every keyframe sees that is kept in the map.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "apps/synthetic/scene.h"
-#include "vo/camera.h"
+#include "vo/camera/camera.h"
 #include "vo/lie/se3.h"
 
 namespace corvo::synthetic {

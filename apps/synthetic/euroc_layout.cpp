@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/synthetic/files.h"
-#include "vo/trajectory_io.h"
+#include "vo/io/trajectory_io.h"
 
 namespace corvo::synthetic {
 namespace {

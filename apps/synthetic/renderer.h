@@ -7,7 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "apps/synthetic/scene.h"
-#include "vo/camera.h"
+#include "vo/camera/camera.h"
 #include "vo/lie/se3.h"
 
 namespace corvo::synthetic {

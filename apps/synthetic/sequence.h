@@ -12,10 +12,10 @@
 #include "apps/synthetic/effects.h"
 #include "apps/synthetic/renderer.h"
 #include "apps/synthetic/scene.h"
-#include "vo/camera.h"
-#include "vo/conventions.h"
+#include "vo/camera/camera.h"
+#include "vo/core/conventions.h"
+#include "vo/core/trajectory.h"
 #include "vo/lie/se3.h"
-#include "vo/trajectory.h"
 
 namespace corvo::synthetic {
 

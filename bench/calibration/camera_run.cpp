@@ -3,11 +3,11 @@
 #include <limits>
 #include <vector>
 
-#include "apps/outcome.h"
-#include "apps/sightings_spool.h"
+#include "apps/output/sightings_spool.h"
+#include "apps/run/outcome.h"
 #include "orb/error.h"
-#include "vo/evaluation.h"
-#include "vo/refiner.h"
+#include "vo/evaluation/evaluation.h"
+#include "vo/offline/refiner.h"
 
 namespace corvo {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/odometry/recording.h"
-#include "vo/camera_prior.h"
+#include "vo/camera/camera_prior.h"
 #include "vo/odometry.h"
 
 namespace corvo {

@@ -7,7 +7,7 @@
 
 #include "bench/calibration/camera_run.h"
 #include "bench/calibration/films.h"
-#include "vo/options.h"
+#include "vo/core/options.h"
 
 namespace corvo::bench {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/gnuplot.h"
+#include "apps/output/gnuplot.h"
 #include "bench/percentile.h"
 
 namespace corvo::bench {

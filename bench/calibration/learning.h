@@ -9,7 +9,7 @@
 #include "bench/calibration/camera_run.h"
 #include "bench/odometry/perturbation.h"
 #include "bench/odometry/scenarios.h"
-#include "vo/options.h"
+#include "vo/core/options.h"
 
 namespace corvo::bench {
 

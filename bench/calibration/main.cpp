@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "apps/environment.h"
+#include "apps/output/environment.h"
 #include "bench/calibration/honesty.h"
 #include "bench/calibration/learning.h"
 #include "bench/odometry/child_process.h"
 #include "bench/odometry/scenarios.h"
 #include "orb/error.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "apps/environment.h"
+#include "apps/output/environment.h"
 #include "bench/clocks.h"
 #include "bench/index/collection.h"
 #include "bench/index/measurement.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/odometry/recording.h"
-#include "vo/options.h"
+#include "vo/core/options.h"
 
 namespace corvo::bench {
 

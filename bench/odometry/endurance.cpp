@@ -6,7 +6,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "apps/landmark_spool.h"
+#include "apps/output/landmark_spool.h"
 #include "bench/clocks.h"
 
 namespace corvo::bench {

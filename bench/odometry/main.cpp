@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "apps/environment.h"
+#include "apps/output/environment.h"
 #include "bench/odometry/child_process.h"
 #include "bench/odometry/cost.h"
 #include "bench/odometry/endurance.h"
 #include "bench/odometry/report.h"
 #include "bench/odometry/scenarios.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo::bench {
 namespace {

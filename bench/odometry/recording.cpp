@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "apps/ground_truth.h"
-#include "apps/image_source.h"
+#include "apps/dataset/ground_truth.h"
+#include "apps/dataset/image_source.h"
 #include "orb/error.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo::bench {
 namespace {

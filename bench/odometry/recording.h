@@ -7,8 +7,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "apps/synthetic/sequence.h"
-#include "vo/camera.h"
-#include "vo/trajectory.h"
+#include "vo/camera/camera.h"
+#include "vo/core/trajectory.h"
 
 namespace corvo::bench {
 

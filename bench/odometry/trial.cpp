@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/outcome.h"
-#include "apps/sightings_spool.h"
+#include "apps/output/sightings_spool.h"
+#include "apps/run/outcome.h"
 #include "bench/clocks.h"
 #include "orb/error.h"
-#include "vo/evaluation.h"
+#include "vo/evaluation/evaluation.h"
 #include "vo/odometry.h"
-#include "vo/refiner.h"
+#include "vo/offline/refiner.h"
 
 namespace corvo::bench {
 namespace {

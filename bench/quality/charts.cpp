@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/gnuplot.h"
+#include "apps/output/gnuplot.h"
 
 namespace corvo::bench {
 namespace {

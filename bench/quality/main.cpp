@@ -10,7 +10,7 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "apps/environment.h"
+#include "apps/output/environment.h"
 #include "bench/quality/charts.h"
 #include "bench/quality/report.h"
 #include "orb/error.h"

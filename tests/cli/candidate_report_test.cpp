@@ -1,4 +1,4 @@
-#include "apps/candidate_report.h"
+#include "apps/output/candidate_report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "apps/ground_truth.h"
+#include "apps/dataset/ground_truth.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

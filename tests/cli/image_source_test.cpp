@@ -1,8 +1,8 @@
-#include "apps/image_source.h"
+#include "apps/dataset/image_source.h"
 
 #include <opencv2/core.hpp>
 
-#include "apps/image_layouts.h"
+#include "apps/dataset/image_layouts.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 

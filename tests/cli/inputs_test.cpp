@@ -7,15 +7,15 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/focal_start.h"
-#include "apps/image_source.h"
-#include "apps/interruption.h"
-#include "apps/run_inputs.h"
-#include "apps/tum_mono_sequence.h"
+#include "apps/dataset/image_source.h"
+#include "apps/dataset/tum_mono_sequence.h"
+#include "apps/run/focal_start.h"
+#include "apps/run/interruption.h"
+#include "apps/run/run_inputs.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/kitti_trajectory.h"
+#include "apps/run/kitti_trajectory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "apps/landmark_spool.h"
+#include "apps/output/landmark_spool.h"
 
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
-#include "apps/map_ply.h"
+#include "apps/output/map_ply.h"
 
 namespace corvo {
 namespace {

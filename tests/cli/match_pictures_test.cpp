@@ -1,4 +1,4 @@
-#include "apps/match_pictures.h"
+#include "apps/output/match_pictures.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "apps/outcome.h"
+#include "apps/run/outcome.h"
 
 #include <gmock/gmock.h>
 
-#include "apps/reasons.h"
+#include "apps/output/reasons.h"
 
 namespace corvo {
 namespace {

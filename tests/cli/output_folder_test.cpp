@@ -1,4 +1,4 @@
-#include "apps/output_folder.h"
+#include "apps/output/output_folder.h"
 
 #include "tests/cli/expect_error.h"
 #include "tests/cli/temp_folder.h"

@@ -7,8 +7,8 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
-#include "vo/config.h"
-#include "vo/trajectory_io.h"
+#include "vo/io/config.h"
+#include "vo/io/trajectory_io.h"
 
 namespace corvo::test {
 namespace {

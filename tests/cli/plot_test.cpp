@@ -1,4 +1,4 @@
-#include "apps/plot.h"
+#include "apps/output/plot.h"
 
 #include <gmock/gmock.h>
 

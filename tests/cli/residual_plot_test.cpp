@@ -1,4 +1,4 @@
-#include "apps/residual_plot.h"
+#include "apps/output/residual_plot.h"
 
 #include <gmock/gmock.h>
 

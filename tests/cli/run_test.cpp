@@ -8,7 +8,7 @@
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo::test {
 namespace {

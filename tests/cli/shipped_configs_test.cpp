@@ -7,7 +7,7 @@
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/data/data_path.h"
-#include "vo/config.h"
+#include "vo/io/config.h"
 
 namespace corvo::test {
 namespace {

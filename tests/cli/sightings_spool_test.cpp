@@ -1,4 +1,4 @@
-#include "apps/sightings_spool.h"
+#include "apps/output/sightings_spool.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "apps/track_pictures.h"
+#include "apps/output/track_pictures.h"
 
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>

@@ -1,8 +1,8 @@
-#include "apps/training_pairs.h"
+#include "apps/synthetic/training_pairs.h"
 
 #include <gmock/gmock.h>
 
-#include "apps/training_view.h"
+#include "apps/synthetic/training_view.h"
 #include "orb/pyramid.h"
 #include "tests/cli/tiny_sequence.h"
 

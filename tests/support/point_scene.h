@@ -5,10 +5,10 @@
 
 #include "orb/types.h"
 #include "tests/support/random.h"
-#include "vo/camera.h"
-#include "vo/frame.h"
-#include "vo/keypoint_noise.h"
-#include "vo/map.h"
+#include "vo/camera/camera.h"
+#include "vo/map/frame.h"
+#include "vo/map/keypoint_noise.h"
+#include "vo/map/map.h"
 
 namespace corvo::test {
 

@@ -7,13 +7,13 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
-#include "apps/ground_truth.h"
-#include "apps/image_source.h"
+#include "apps/dataset/ground_truth.h"
+#include "apps/dataset/image_source.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/temp_folder.h"
 #include "tests/support/matchers.h"
-#include "vo/config.h"
-#include "vo/trajectory_io.h"
+#include "vo/io/config.h"
+#include "vo/io/trajectory_io.h"
 
 namespace corvo::synthetic {
 namespace {

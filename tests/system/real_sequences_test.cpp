@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "apps/focal_start.h"
-#include "apps/image_source.h"
+#include "apps/dataset/image_source.h"
+#include "apps/run/focal_start.h"
 #include "tests/support/data.h"
 #include "tests/system/sequence_runner.h"
-#include "vo/config.h"
-#include "vo/trajectory_io.h"
+#include "vo/io/config.h"
+#include "vo/io/trajectory_io.h"
 
 namespace corvo {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "vo/camera.h"
-#include "vo/evaluation.h"
-#include "vo/refiner.h"
-#include "vo/trajectory.h"
+#include "vo/camera/camera.h"
+#include "vo/core/trajectory.h"
+#include "vo/evaluation/evaluation.h"
+#include "vo/offline/refiner.h"
 
 namespace corvo::test {
 

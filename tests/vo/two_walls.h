@@ -6,7 +6,7 @@
 
 #include "tests/support/point_scene.h"
 #include "tests/support/random.h"
-#include "vo/camera.h"
+#include "vo/camera/camera.h"
 
 namespace corvo::test {
 

@@ -1,0 +1,33 @@
+#include "apps/commands/config.h"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "vo/io/config.h"
+
+namespace corvo {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  corvo config > config.yaml                    # the defaults, each with its range and meaning
+  corvo config --print configs/orb_2011.yaml    # check a file, and print what it stands for)";
+
+void PrintConfig(const std::filesystem::path& file) {
+  fmt::print("{}", WriteOptions(file.empty() ? OdometryOptions{} : ReadOptions(file)));
+}
+
+}  // namespace
+
+void AddConfigCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("config", "Print the default options, or check a file");
+  const auto file = std::make_shared<std::filesystem::path>();
+  command->add_option("FILE", *file, "options to check; what it leaves out keeps its default");
+  command->add_flag_callback(
+      "--print", [] {}, "print the options; done with and without it");
+  command->footer(kFooter);
+  command->callback([file] { PrintConfig(*file); });
+}
+
+}  // namespace corvo

@@ -1,0 +1,92 @@
+#include "apps/commands/features.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/dataset/image_source.h"
+#include "apps/output/features_output.h"
+#include "apps/output/output_folder.h"
+#include "orb/error.h"
+#include "vo/io/config.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    R"(For each picture NAME.png it writes NAME_features.png, the picture with its keypoints (a circle that
+grows with the octave, a line in the keypoint's direction, a colour an octave), and
+NAME_features.csv: x, y (px), octave, angle (degrees), response and descriptor (hexadecimal).
+
+Examples:
+  corvo features picture.png -o features
+  corvo features *.png -o features --config configs/orb_2011.yaml)";
+
+struct FeaturesArguments {
+  std::vector<fs::path> images;
+  fs::path output;
+  fs::path config;
+};
+
+/// Of both files of a picture.
+std::string ResultName(const fs::path& image) { return image.stem().string() + "_features"; }
+
+/// Throws where the results of two pictures would have the same name.
+void CheckNames(const std::vector<fs::path>& images) {
+  for (auto image = images.begin(); image != images.end(); ++image) {
+    const auto twin = std::find_if(images.begin(), image, [&](const fs::path& other) {
+      return ResultName(other) == ResultName(*image);
+    });
+    if (twin == image) continue;
+    throw Error(fmt::format("{} and {}: the results of both would be {}; choose two output folders",
+                            twin->string(), image->string(), ResultName(*image)));
+  }
+}
+
+/// Writes the results of one picture and describes them in a line.
+std::string ExtractPicture(const fs::path& file, const orb::Extractor& extractor,
+                           const OutputFolder& output) {
+  const cv::Mat image = ReadGreyImage(file);
+  const orb::Features features = extractor.Extract(image);
+  output.Write(ResultName(file) + ".csv", FeatureTable(features));
+  WritePicture(DrawFeatures(image, features, extractor), ResultName(file) + ".png", output);
+  return fmt::format("{}: {} features\n", file.string(), features.keypoints.size());
+}
+
+void ExtractFeatures(const FeaturesArguments& arguments) {
+  CheckNames(arguments.images);
+  const OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
+  const orb::Extractor extractor(options.extractor);
+  OutputFolder output(arguments.output);
+  output.Write("config.yaml", WriteOptions(options));
+  std::vector<std::string> names = {"config.yaml"};
+  std::string text;
+  for (const fs::path& image : arguments.images) {
+    text += ExtractPicture(image, extractor, output);
+    names.push_back(ResultName(image) + ".csv");
+    names.push_back(ResultName(image) + ".png");
+  }
+  output.Commit(names);
+  fmt::print("{}", text);
+}
+
+}  // namespace
+
+void AddFeaturesCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("features", "Extract the features of pictures");
+  const auto arguments = std::make_shared<FeaturesArguments>();
+  command->add_option("IMAGE", arguments->images, "pictures")->required();
+  command->add_option("-o,--output", arguments->output, "folder for the results")->required();
+  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->footer(kFooter);
+  command->callback([arguments] { ExtractFeatures(*arguments); });
+}
+
+}  // namespace corvo

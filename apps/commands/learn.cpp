@@ -1,0 +1,179 @@
+#include "apps/commands/learn.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "apps/dataset/image_source.h"
+#include "apps/output/output_folder.h"
+#include "apps/run/progress_line.h"
+#include "apps/synthetic/random.h"
+#include "apps/synthetic/training_pairs.h"
+#include "orb/error.h"
+#include "orb/pattern_file.h"
+#include "orb/pattern_learning.h"
+#include "orb/workers.h"
+#include "vo/io/config.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    R"(Keypoints of the pictures are looked for again in synthetic views of them; chosen are 256 tests that
+tell views of one keypoint from other keypoints and correlate little (Rublee et al., "ORB: an
+efficient alternative to SIFT or SURF", ICCV 2011, section 4.3, with the views added). The order of
+the pictures does not matter. 300,000 keypoints take 0.9 GB. The options' extractor.pattern takes the
+file written.
+
+Examples:
+  corvo learn photographs -o pattern.inc
+  corvo learn photographs -o pattern.inc --keypoints 20000 --source "our street")";
+
+struct LearnArguments {
+  std::vector<fs::path> images;
+  fs::path output;
+  fs::path config;
+  std::string source;
+  int num_keypoints = 300000;
+  int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
+};
+
+/// The pictures, those of folders too, in the order of their names.
+std::vector<fs::path> ListPictures(const std::vector<fs::path>& images) {
+  std::vector<fs::path> pictures;
+  for (const fs::path& image : images) {
+    if (!fs::is_directory(image)) {
+      pictures.push_back(image);
+      continue;
+    }
+    for (const TimedFile& file : ListImages(image, 1).images) pictures.push_back(file.file);
+  }
+  std::sort(pictures.begin(), pictures.end());
+  return pictures;
+}
+
+/// Tells on standard error how far the learning is: on a terminal a bar, else a line a stage.
+class LearningReport {
+ public:
+  void ShowSampling(int round, int num_sampled, int num_wanted) {
+    Show(fmt::format("views {}", round + 1), static_cast<double>(num_sampled) / num_wanted,
+         fmt::format("{} of {} keypoints", num_sampled, num_wanted));
+  }
+
+  void ShowSelection(const orb::SelectionProgress& progress) {
+    Show(fmt::format("correlations up to {:.2f}", progress.max_correlation),
+         static_cast<double>(progress.num_chosen) / orb::kNumTests,
+         fmt::format("{} of {} tests", progress.num_chosen, orb::kNumTests));
+  }
+
+ private:
+  void Show(const std::string& stage, double share, const std::string& text) {
+    line_.Show(share, stage + ": " + text);
+    if (!line_.is_terminal() && stage != stage_) spdlog::info("{}", stage);
+    stage_ = stage;
+  }
+
+  ProgressLine line_;
+  std::string stage_;
+};
+
+/// Samples pictures [begin, end) in parallel, each in its view of this round.
+std::vector<TrainingPairs> SamplePictures(const std::vector<fs::path>& pictures, int begin, int end,
+                                          int round, const TrainingPairSampler& sampler,
+                                          orb::Workers& workers) {
+  std::vector<TrainingPairs> pairs(end - begin);
+  workers.ForEach(end - begin, [&](int i) {
+    const cv::Mat picture = ReadGreyImage(pictures[begin + i]);
+    pairs[i] = sampler.Sample(picture, synthetic::Hash(0, round, begin + i));
+  });
+  return pairs;
+}
+
+/// Goes through the pictures, each time with another view of each, until there are as many
+/// keypoints as wanted.
+orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
+                                 const std::vector<fs::path>& pictures, LearningReport& report) {
+  constexpr int kMaxRounds = 20;
+  constexpr int kBatch = 16;
+  const OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
+  const TrainingPairSampler sampler(options.extractor);
+  orb::Workers workers(arguments.threads);
+  orb::TrainingSet training(arguments.num_keypoints);
+  const int num_pictures = static_cast<int>(pictures.size());
+  for (int round = 0; round < kMaxRounds; ++round) {
+    for (int begin = 0; begin < num_pictures && !training.is_full(); begin += kBatch) {
+      const int end = std::min(begin + kBatch, num_pictures);
+      for (const auto& [first, second] :
+           SamplePictures(pictures, begin, end, round, sampler, workers)) {
+        training.Add(first, second);
+      }
+      report.ShowSampling(round, training.size(), arguments.num_keypoints);
+    }
+  }
+  return training;
+}
+
+std::string FileText(const LearnArguments& arguments, int num_pictures, int num_keypoints,
+                     const orb::LearningResult& result) {
+  std::string text = fmt::format(
+      "// Binary tests of 5x5 windows, learned by corvo learn from {} pictures:\n", num_pictures);
+  if (!arguments.source.empty()) text += fmt::format("// {}\n", arguments.source);
+  text += fmt::format(
+      "// {} keypoints, each in two views. Correlation of two tests: at most {:.2f}.\n"
+      "// Bits that differ between the views: {:.1f}%. Each line: px, py, qx, qy,\n",
+      num_keypoints, result.max_correlation, 100 * result.flip_rate);
+  return text + orb::PatternText(result.pattern);
+}
+
+void Learn(const LearnArguments& arguments) {
+  CheckOutputFile(arguments.output, "the pattern");
+  if (arguments.source.find_first_of("\r\n\\") != std::string::npos) {
+    throw Error("--source must be one line, without backslashes");
+  }
+  const std::vector<fs::path> pictures = ListPictures(arguments.images);
+  LearningReport report;
+  const orb::TrainingSet training = SampleKeypoints(arguments, pictures, report);
+  const orb::LearningResult result = orb::LearnPattern(
+      training, arguments.threads,
+      [&](const orb::SelectionProgress& progress) { report.ShowSelection(progress); });
+  OutputFolder output(fs::absolute(arguments.output).parent_path());
+  const std::string name = arguments.output.filename().string();
+  output.Write(name,
+               FileText(arguments, static_cast<int>(pictures.size()), training.size(), result));
+  output.Commit({name});
+  fmt::print("{}: {} tests from {} keypoints of {} pictures\n", arguments.output.string(),
+             orb::kNumTests, training.size(), pictures.size());
+}
+
+}  // namespace
+
+void AddLearnCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("learn", "Learn the descriptors' tests from pictures");
+  const auto arguments = std::make_shared<LearnArguments>();
+  command->add_option("IMAGE", arguments->images, "pictures, or folders of them")->required();
+  command->add_option("-o,--output", arguments->output, "file for the pattern")->required();
+  command->add_option("--keypoints", arguments->num_keypoints, "to learn from, at most")
+      ->check(CLI::Range(orb::kMinTrainingSize, 1000000))
+      ->capture_default_str();
+  command->add_option("--source", arguments->source,
+                      "where the pictures come from, for the file's comment");
+  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads; never changes the result (default: as many as processors)")
+      ->check(CLI::Range(1, 256));
+  command->footer(kFooter);
+  command->callback([arguments] { Learn(*arguments); });
+}
+
+}  // namespace corvo

@@ -1,0 +1,82 @@
+#include "apps/commands/match.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "apps/dataset/image_source.h"
+#include "apps/output/features_output.h"
+#include "apps/output/match_pictures.h"
+#include "apps/output/output_folder.h"
+#include "vo/io/config.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    R"(Matches are mutual nearest neighbours that pass the options' tracker.max_distance and
+tracker.max_ratio. Written are matches.png, both pictures with the matches (green where they agree
+with one homography, else red), matches.csv, and where there is one homography.txt, row by row, which
+takes pixels of A to pixels of B.
+
+Examples:
+  corvo match a.png b.png -o matches
+  corvo match a.png b.png -o matches --config configs/orb_2011.yaml)";
+
+struct MatchArguments {
+  fs::path first;
+  fs::path second;
+  fs::path output;
+  fs::path config;
+};
+
+std::string HomographyText(const cv::Matx33d& h) {
+  return fmt::format("{} {} {}\n{} {} {}\n{} {} {}\n", h(0, 0), h(0, 1), h(0, 2), h(1, 0), h(1, 1),
+                     h(1, 2), h(2, 0), h(2, 1), h(2, 2));
+}
+
+std::string SummaryText(const MatchArguments& arguments, const PictureMatches& pictures) {
+  return fmt::format("{}: {} features\n{}: {} features\n{} matches, {} agree with a homography\n",
+                     arguments.first.string(), pictures.first.keypoints.size(),
+                     arguments.second.string(), pictures.second.keypoints.size(),
+                     pictures.matches.size(), pictures.num_inliers);
+}
+
+void Match(const MatchArguments& arguments) {
+  const OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
+  const cv::Mat first = ReadGreyImage(arguments.first);
+  const cv::Mat second = ReadGreyImage(arguments.second);
+  const orb::Extractor extractor(options.extractor);
+  const PictureMatches pictures =
+      MatchPictures(extractor.Extract(first), extractor.Extract(second),
+                    options.tracker.max_distance, options.tracker.max_ratio);
+  OutputFolder output(arguments.output);
+  output.Write("config.yaml", WriteOptions(options));
+  output.Write("matches.csv", MatchTable(pictures));
+  if (pictures.second_from_first) {
+    output.Write("homography.txt", HomographyText(*pictures.second_from_first));
+  }
+  WritePicture(DrawMatches(first, second, pictures), "matches.png", output);
+  output.Commit({"config.yaml", "matches.csv", "homography.txt", "matches.png"});
+  fmt::print("{}", SummaryText(arguments, pictures));
+}
+
+}  // namespace
+
+void AddMatchCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("match", "Match the features of two pictures");
+  const auto arguments = std::make_shared<MatchArguments>();
+  command->add_option("A", arguments->first, "picture")->required();
+  command->add_option("B", arguments->second, "picture")->required();
+  command->add_option("-o,--output", arguments->output, "folder for the results")->required();
+  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->footer(kFooter);
+  command->callback([arguments] { Match(*arguments); });
+}
+
+}  // namespace corvo

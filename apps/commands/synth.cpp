@@ -1,0 +1,117 @@
+#include "apps/commands/synth.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "apps/synthetic/sequence.h"
+#include "apps/synthetic/writer.h"
+#include "vo/io/config.h"
+
+namespace corvo {
+namespace {
+
+struct SynthArguments {
+  synthetic::Sequence (*make)(const synthetic::SequenceOptions&) = nullptr;
+  synthetic::SequenceOptions options;
+  std::filesystem::path camera;
+  std::string layout = "tum";
+  std::string folder;
+  bool force = false;
+};
+
+synthetic::Layout ParseLayout(const std::string& name) {
+  if (name == "kitti") return synthetic::Layout::kKitti;
+  return name == "euroc" ? synthetic::Layout::kEuroc : synthetic::Layout::kTum;
+}
+
+void Synthesise(SynthArguments& arguments) {
+  if (!arguments.camera.empty()) {
+    arguments.options.camera = ReadCameraFile(arguments.camera).camera.parameters();
+  }
+  const synthetic::Sequence sequence = arguments.make(arguments.options);
+  const bool terminal = isatty(fileno(stderr)) != 0;
+  const synthetic::Layout layout = ParseLayout(arguments.layout);
+  synthetic::WriteSequence(sequence, arguments.folder, layout, arguments.force, [&](int done) {
+    if (terminal) fmt::print(stderr, "\r{}/{}", done, sequence.size());
+  });
+  fmt::print(stderr, "{}{} frames of {} in {}\n", terminal ? "\r" : "", sequence.size(),
+             sequence.name(), arguments.folder);
+}
+
+/// An option that takes START,DURATION.
+void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, const char* meaning) {
+  const auto assign = [&span](const std::pair<double, double>& value) {
+    span = {value.first, value.second};
+  };
+  command.add_option_function<std::pair<double, double>>(name, assign, meaning)
+      ->delimiter(',')
+      ->type_name("START,DURATION");
+}
+
+void AddEffects(CLI::App& command, synthetic::Effects& effects) {
+  AddSpan(command, "--dark", effects.dark, "seconds in which the light is all but out");
+  AddSpan(command, "--blur", effects.blur, "seconds in which motion blurs the pictures");
+  command.add_option("--drift", effects.exposure_drift,
+                     "exposure swings by so many stops either way, in 8 s (0 to 3)");
+  command.add_option("--vignetting", effects.vignetting,
+                     "share of the light that the corners lose (0 to 0.95)");
+  command.add_option("--moving", effects.moving_share,
+                     "share of the picture hidden by things that move (0 to 0.8)");
+}
+
+void AddScene(CLI::App& synth, const char* name, const char* description,
+              synthetic::Sequence (*make)(const synthetic::SequenceOptions&)) {
+  CLI::App* command = synth.add_subcommand(name, description);
+  const auto arguments = std::make_shared<SynthArguments>();
+  arguments->make = make;
+  command->add_option("-o,--output", arguments->folder, "folder to write")->required();
+  command->add_option("--layout", arguments->layout, "of the files: TUM RGB-D, KITTI or EuRoC")
+      ->check(CLI::IsMember({"tum", "kitti", "euroc"}))
+      ->capture_default_str();
+  command->add_option("--frames", arguments->options.frames, "number of pictures")
+      ->capture_default_str();
+  command->add_option("--width", arguments->options.width,
+                      "width of the pictures, px; the rest follows (default: the scene's own)");
+  command->add_option("--camera", arguments->camera,
+                      "camera file, of any model, to film through instead of the scene's own");
+  command->add_option("--noise", arguments->options.noise_sigma,
+                      "standard deviation of the noise in each pixel, grey levels");
+  command->add_option("--seed", arguments->options.noise_seed, "of the noise")
+      ->capture_default_str();
+  AddSpan(*command, "--turn", arguments->options.turn,
+          "seconds in which the camera stands and turns 40 degrees to either side");
+  AddEffects(*command, arguments->options.effects);
+  command->add_flag("--force", arguments->force, "overwrite files in a folder that is not empty");
+  command->callback([arguments] { Synthesise(*arguments); });
+}
+
+}  // namespace
+
+void AddSynthCommand(CLI::App& app) {
+  CLI::App* synth = app.add_subcommand("synth", "Render a sequence with exact ground truth");
+  synth->require_subcommand(1);
+  synth->footer(
+      "Examples:\n"
+      "  corvo synth room -o room\n"
+      "  corvo synth street -o street --layout kitti --frames 200\n"
+      "  corvo synth room -o dark --dark 4,2 --noise 2 --seed 7\n"
+      "  corvo synth corridor -o crowd --layout euroc --moving 0.2 --drift 1 --vignetting 0.5\n"
+      "  corvo synth room -o fisheye --camera configs/tumvi.yaml\n\n"
+      "'corvo synth SCENE --help' shows the options.");
+  AddScene(*synth, "room", "a walk round a furnished room, about 8 m", synthetic::MakeRoom);
+  AddScene(*synth, "street", "a drive along a street with bends", synthetic::MakeStreet);
+  AddScene(*synth, "corridor", "a walk down a corridor with little texture",
+           synthetic::MakeCorridor);
+  AddScene(*synth, "wall", "a camera before a plane", synthetic::MakePlanarWall);
+  AddScene(*synth, "rotation", "a camera that turns and does not move",
+           synthetic::MakePureRotation);
+}
+
+}  // namespace corvo

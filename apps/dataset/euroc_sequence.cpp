@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include "apps/dataset/image_layouts.h"
+#include "apps/dataset/sensor_yaml.h"
+#include "orb/error.h"
+#include "vo/io/decimal_time.h"
+#include "vo/io/text_lines.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The camera's folder inside `mav0` or the folder that holds it.
+fs::path CameraFolder(const fs::path& input) {
+  const fs::path nested = input / "mav0" / "cam0";
+  return fs::is_directory(nested) ? nested : input / "cam0";
+}
+
+/// `count` numbers (or more, up to `max_count`) of a sequence.
+std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::size_t count,
+                                std::size_t max_count) {
+  const YAML::Node node = root[key];
+  if (!node) throw Error(fmt::format("{} is missing", key));
+  if (!node.IsSequence() || node.size() < count || node.size() > max_count) {
+    throw Error(fmt::format("{} is not a list of {} numbers", key, count));
+  }
+  std::vector<double> numbers;
+  for (const YAML::Node& number : node) numbers.push_back(number.as<double>());
+  return numbers;
+}
+
+/// EuRoC's radial-tangential (Kalibr's radtan), or Kalibr's equidistant, which is kb4.
+CameraModel ParseModel(const YAML::Node& root) {
+  const auto model = root["camera_model"].as<std::string>("");
+  if (model != "pinhole") {
+    throw Error(fmt::format("camera_model is '{}'; supported is pinhole", model));
+  }
+  const auto distortion = root["distortion_model"].as<std::string>("");
+  if (distortion == "radial-tangential" || distortion == "radtan") return CameraModel::kPinhole;
+  if (distortion == "equidistant") return CameraModel::kKb4;
+  throw Error(fmt::format(
+      "distortion_model is '{}'; supported are radial-tangential and equidistant", distortion));
+}
+
+void SetDistortion(std::vector<double> numbers, CameraParameters& camera) {
+  numbers.resize(5, 0.0);
+  const bool is_kb4 = camera.model == CameraModel::kKb4;
+  camera.k1 = numbers[0];
+  camera.k2 = numbers[1];
+  (is_kb4 ? camera.k3 : camera.p1) = numbers[2];
+  (is_kb4 ? camera.k4 : camera.p2) = numbers[3];
+  if (!is_kb4) camera.k3 = numbers[4];
+}
+
+CameraParameters ParseCamera(const YAML::Node& root, const char* distortion_key) {
+  CameraParameters camera;
+  camera.model = ParseModel(root);
+  const std::vector<double> size = ReadNumbers(root, "resolution", 2, 2);
+  const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
+  const std::size_t max_distortion = camera.model == CameraModel::kKb4 ? 4 : 5;
+  SetDistortion(ReadNumbers(root, distortion_key, 4, max_distortion), camera);
+  camera.width = static_cast<int>(size[0]);
+  camera.height = static_cast<int>(size[1]);
+  camera.fx = intrinsics[0];
+  camera.fy = intrinsics[1];
+  camera.cx = intrinsics[2];
+  camera.cy = intrinsics[3];
+  camera.Validate();
+  return camera;
+}
+
+CameraParameters ParseSensor(const YAML::Node& root) {
+  return ParseCamera(root, "distortion_coefficients");
+}
+
+/// As Kalibr writes it.
+CameraParameters ParseCameraChain(const YAML::Node& root) {
+  if (!root["cam0"]) throw Error("cam0 is missing");
+  return ParseCamera(root["cam0"], "distortion_coeffs");
+}
+
+CameraParameters ReadCamera(const fs::path& file, CameraParameters (*parse)(const YAML::Node&)) {
+  try {
+    return parse(LoadSensorYaml(file));
+  } catch (const YAML::Exception& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+/// EuRoC's is in the camera's folder, TUM-VI's beside `mav0`.
+std::optional<CameraParameters> FindCamera(const fs::path& folder) {
+  const fs::path sensor = folder / "sensor.yaml";
+  if (fs::exists(sensor)) return ReadCamera(sensor, ParseSensor);
+  const fs::path root = fs::absolute(folder).lexically_normal().parent_path().parent_path();
+  const fs::path chain = root / "dso" / "camchain.yaml";
+  if (fs::exists(chain)) return ReadCamera(chain, ParseCameraChain);
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool IsEurocSequence(const fs::path& input) { return fs::exists(CameraFolder(input) / "data.csv"); }
+
+ImageList ListEurocImages(const fs::path& input) {
+  ImageList list{"euroc", {}, {}};
+  const fs::path folder = CameraFolder(input);
+  const fs::path file = folder / "data.csv";
+  for (const TextLine& line : ReadTextLines(file)) {
+    const std::string where = LinePrefix(file, line);
+    const std::vector<std::string> fields = SplitFields(line.text, ',');
+    if (fields.size() != 2 || fields[1].empty()) {
+      throw Error(fmt::format("{}'{}' is not 'timestamp [ns],filename'", where, line.text));
+    }
+    list.images.push_back({folder / "data" / fields[1], ParseNanoseconds(fields[0], where)});
+  }
+  list.camera = FindCamera(folder);
+  return list;
+}
+
+}  // namespace corvo

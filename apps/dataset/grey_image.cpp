@@ -1,0 +1,82 @@
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "apps/dataset/image_reader.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ReadBytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || fs::is_directory(file))
+    throw Error(fmt::format("{}: cannot be read", file.string()));
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// Decoders fill what is missing of a JPEG with grey and say nothing. A whole one has an
+/// end-of-image marker after its last start of scan; scans themselves never hold either.
+bool IsTruncatedJpeg(const std::string& bytes) {
+  if (bytes.compare(0, 2, "\xFF\xD8") != 0) return false;
+  const std::size_t scan = bytes.rfind("\xFF\xDA");
+  const std::size_t end = bytes.rfind("\xFF\xD9");
+  return scan == std::string::npos || end == std::string::npos || end < scan;
+}
+
+/// A PNG's last chunk.
+bool IsTruncatedPng(const std::string& bytes) {
+  return bytes.compare(0, 4, "\x89PNG") == 0 && bytes.rfind("IEND") == std::string::npos;
+}
+
+cv::Mat Decode(const std::string& bytes) {
+  if (bytes.empty() || IsTruncatedJpeg(bytes) || IsTruncatedPng(bytes)) return {};
+  try {
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
+                         const_cast<char*>(bytes.data()));
+    return cv::imdecode(buffer, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+/// The upper eight of 16 bits.
+cv::Mat KeepUpperByte(const cv::Mat& picture) {
+  cv::Mat upper(picture.size(), CV_8UC1);
+  for (int y = 0; y < picture.rows; ++y) {
+    for (int x = 0; x < picture.cols; ++x) {
+      upper.at<std::uint8_t>(y, x) =
+          static_cast<std::uint8_t>(picture.at<std::uint16_t>(y, x) >> 8);
+    }
+  }
+  return upper;
+}
+
+}  // namespace
+
+cv::Mat ToGrey(const cv::Mat& picture, const std::string& name) {
+  const int channels = picture.channels();
+  if (picture.empty() || (picture.depth() != CV_8U && picture.depth() != CV_16U) ||
+      (channels != 1 && channels != 3 && channels != 4)) {
+    throw Error(fmt::format("{}: a picture of type {}; allowed are 8 and 16 bits, grey or colour",
+                            name, cv::typeToString(picture.type())));
+  }
+  cv::Mat grey = picture;
+  if (channels > 1) {
+    cv::cvtColor(picture, grey, channels == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
+  }
+  return grey.depth() == CV_16U ? KeepUpperByte(grey) : grey;
+}
+
+cv::Mat ReadGreyImage(const fs::path& file) {
+  const cv::Mat picture = Decode(ReadBytes(file));
+  if (picture.empty()) throw Error(fmt::format("{}: not a readable picture", file.string()));
+  return ToGrey(picture, file.string());
+}
+
+}  // namespace corvo

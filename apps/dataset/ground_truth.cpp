@@ -1,0 +1,113 @@
+#include "apps/dataset/ground_truth.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "apps/dataset/body_from_camera.h"
+#include "apps/dataset/image_layouts.h"
+#include "apps/dataset/pose_file.h"
+#include "orb/error.h"
+#include "vo/io/text_lines.h"
+#include "vo/io/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMonoTruth = "groundtruthSync.txt";
+
+/// poses/XX.txt, where the sequence is sequences/XX.
+fs::path KittiTruth(const fs::path& input) {
+  if (input.parent_path().filename() != "sequences") return {};
+  return input.parent_path().parent_path() / "poses" / (input.filename().string() + ".txt");
+}
+
+/// Without a separator at its end, and with the folder it lies in.
+fs::path PlainFolder(const fs::path& input) {
+  fs::path folder = input.lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  const bool is_bare = !folder.has_parent_path() || folder.filename() == "..";
+  return is_bare ? fs::absolute(folder).lexically_normal() : folder;
+}
+
+/// The body's poses, moved to cam0.
+PoseSequence ReadBodyTruth(const fs::path& file) {
+  const SE3 body_from_camera = ReadBodyFromCamera(file);
+  PoseSequence poses = ReadEurocPoses(file);
+  for (TimedPose& pose : poses) {
+    pose.world_from_camera = pose.world_from_camera * body_from_camera;
+  }
+  return poses;
+}
+
+/// In natural order.
+std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
+  constexpr std::string_view kEnd = ".pose.txt";
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool ends = name.size() > kEnd.size() &&
+                      name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+    if (ends) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return NaturalLess(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+/// world_from_camera as a 4x4 matrix, a row a line.
+SE3 ReadPoseMatrix(const fs::path& file) {
+  std::vector<double> numbers;
+  for (const TextLine& line : ReadTextLines(file)) {
+    for (const std::string& field : SplitFields(line.text, ' ')) {
+      numbers.push_back(ParseNumber(field, LinePrefix(file, line)));
+    }
+  }
+  if (numbers.size() != 16) {
+    throw Error(fmt::format("{}: {} numbers; a 4x4 matrix has 16", file.string(), numbers.size()));
+  }
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(numbers.data());
+  return SE3(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
+}
+
+std::vector<SE3> ReadPoseMatrices(const fs::path& folder) {
+  std::vector<SE3> poses;
+  for (const fs::path& file : PoseFilesIn(folder)) poses.push_back(ReadPoseMatrix(file));
+  return poses;
+}
+
+}  // namespace
+
+fs::path FindGroundTruth(const fs::path& input) {
+  if (!fs::is_directory(input)) return {};
+  const fs::path folder = PlainFolder(input);
+  const fs::path root = folder.filename() == "mav0" ? folder.parent_path() : folder;
+  for (const fs::path& file :
+       {KittiTruth(folder), root / "mav0/state_groundtruth_estimate0/data.csv",
+        root / "mav0/mocap0/data.csv", root / "dso/gt_imu.csv", folder / "groundtruth.txt",
+        folder / kMonoTruth}) {
+    if (fs::is_regular_file(file)) return file;
+  }
+  return PoseFilesIn(folder).empty() ? fs::path() : folder;
+}
+
+PoseFile ReadTruthFile(const fs::path& file) {
+  if (fs::is_directory(file)) return PoseFile(ReadPoseMatrices(file));
+  if (file.filename() == kMonoTruth) return PoseFile(ReadTumWithGaps(file));
+  return IsEurocPoseFile(file) ? PoseFile(ReadBodyTruth(file)) : ReadPoseFile(file);
+}
+
+PoseSequence ReadGroundTruth(const fs::path& file, const std::vector<TimeNs>& frame_times) {
+  const PoseFile poses = ReadTruthFile(file);
+  if (!poses.has_times() && poses.size() != frame_times.size()) {
+    throw Error(fmt::format("{}: {} poses for a sequence of {} frames", file.string(), poses.size(),
+                            frame_times.size()));
+  }
+  return poses.WithTimes(frame_times);
+}
+
+}  // namespace corvo

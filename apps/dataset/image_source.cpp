@@ -1,0 +1,167 @@
+#include "apps/dataset/image_source.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "apps/dataset/image_layouts.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+ImageList ListByLayout(const fs::path& input, double frame_rate_hz) {
+  if (IsKittiSequence(input)) return ListKittiImages(input);
+  if (IsEurocSequence(input)) return ListEurocImages(input);
+  if (IsTumSequence(input)) return ListTumImages(input);
+  if (IsTumMonoSequence(input)) return ListTumMonoImages(input);
+  return ListFolderImages(input, frame_rate_hz);
+}
+
+void CheckFiles(const std::vector<TimedFile>& images) {
+  for (const TimedFile& image : images) {
+    if (!fs::is_regular_file(image.file)) {
+      throw Error(fmt::format("{}: listed in the sequence but not there", image.file.string()));
+    }
+  }
+}
+
+void CheckTimesAscend(const std::vector<TimedFile>& images) {
+  for (std::size_t i = 1; i < images.size(); ++i) {
+    if (images[i].time_ns > images[i - 1].time_ns) continue;
+    throw Error(fmt::format("{}: its time, {} ns, does not lie after {} ns, the time of {}",
+                            images[i].file.string(), images[i].time_ns, images[i - 1].time_ns,
+                            images[i - 1].file.filename().string()));
+  }
+}
+
+/// The number in "7" or "camera:7".
+std::optional<int> ParseDevice(std::string_view input) {
+  constexpr std::string_view kPrefix = "camera:";
+  if (input.substr(0, kPrefix.size()) == kPrefix) input.remove_prefix(kPrefix.size());
+  constexpr std::size_t kMaxDigits = 4;
+  if (input.empty() || input.size() > kMaxDigits) return std::nullopt;
+  int device = 0;
+  for (const char c : input) {
+    if (c < '0' || c > '9') return std::nullopt;
+    device = 10 * device + (c - '0');
+  }
+  return device;
+}
+
+void CheckSize(const TimedImage& image, const cv::Size& size) {
+  if (image.image.size() == size) return;
+  throw Error(fmt::format("{}: the picture is {} x {} px, the camera {} x {} px", image.name,
+                          image.image.cols, image.image.rows, size.width, size.height));
+}
+
+/// A picture shrunk by averaging, or enlarged by linear interpolation.
+cv::Mat Resize(const cv::Mat& image, const cv::Size& size) {
+  if (image.size() == size) return image;
+  const bool shrinks = size.width <= image.cols && size.height <= image.rows;
+  cv::Mat resized;
+  cv::resize(image, resized, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return resized;
+}
+
+cv::Mat ResizeMask(const cv::Mat& mask, const cv::Size& size) {
+  if (mask.empty() || mask.size() == size) return mask;
+  cv::Mat resized;
+  cv::resize(mask, resized, size, 0, 0, cv::INTER_NEAREST);
+  return resized;
+}
+
+}  // namespace
+
+ImageList ListImages(const fs::path& input, double frame_rate_hz) {
+  const bool exists = fs::exists(input);
+  if (!exists && !IsPattern(input)) throw Error(fmt::format("{}: no such folder", input.string()));
+  if (exists && !fs::is_directory(input)) {
+    throw Error(
+        fmt::format("{}: not a folder; give the folder of an image sequence", input.string()));
+  }
+  ImageList list =
+      exists ? ListByLayout(input, frame_rate_hz) : ListMatchingImages(input, frame_rate_hz);
+  if (list.images.empty()) throw Error(fmt::format("{}: holds no pictures", input.string()));
+  CheckFiles(list.images);
+  CheckTimesAscend(list.images);
+  return list;
+}
+
+ImageSource::ImageSource(ImageList list, const Selection& selection)
+    : list_(std::move(list)), reader_(OpenFiles(list_.images)), selection_(selection) {}
+
+ImageSource::ImageSource(ImageList list, std::unique_ptr<ImageReader> reader,
+                         const Selection& selection)
+    : list_(std::move(list)), reader_(std::move(reader)), selection_(selection) {}
+
+const TimedImage& ImageSource::First() {
+  if (!first_) first_ = ReadNext();
+  if (!first_) throw Error("no picture is left: the sequence ends before --start");
+  return *first_;
+}
+
+void ImageSource::Prepare(Preparation preparation) {
+  CheckSize(First(), preparation.size);
+  preparation_ = std::move(preparation);
+}
+
+std::optional<TimedImage> ImageSource::Next() {
+  std::optional<TimedImage> next = first_ ? std::move(first_) : ReadNext();
+  first_.reset();
+  if (!next || !preparation_) return next;
+  CheckSize(*next, preparation_->size);
+  next->mask = ResizeMask(preparation_->mask_source.MaskOf(*next), preparation_->resize_to);
+  next->image = Resize(next->image, preparation_->resize_to);
+  return next;
+}
+
+bool ImageSource::Skip() {
+  if (!first_) return Advance() && reader_->Skip();
+  first_.reset();
+  return true;
+}
+
+std::optional<TimedImage> ImageSource::ReadNext() {
+  if (!Advance()) return std::nullopt;
+  return reader_->Read();
+}
+
+bool ImageSource::Advance() {
+  if (selection_.count && num_read_ == *selection_.count) return false;
+  const int num_skipped = num_read_ == 0 ? selection_.start : selection_.every - 1;
+  for (int i = 0; i < num_skipped; ++i) {
+    if (!reader_->Skip()) return false;
+  }
+  ++num_read_;
+  return true;
+}
+
+std::optional<int> ImageSource::size() const {
+  if (list_.images.empty()) return selection_.count;
+  const int rest = std::max(0, static_cast<int>(list_.images.size()) - selection_.start);
+  const int size = (rest + selection_.every - 1) / selection_.every;
+  return selection_.count ? std::min(size, *selection_.count) : size;
+}
+
+bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::exists(input); }
+
+ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
+                       double default_frame_rate_hz, const Selection& selection) {
+  if (fs::is_regular_file(input)) {
+    if (HasImageExtension(input)) {
+      throw Error(fmt::format("{}: one picture; give its folder, or a quoted pattern", input));
+    }
+    return {ImageList{"video", {}, {}}, OpenVideo(input, frame_rate_hz), selection};
+  }
+  if (IsLiveInput(input)) {
+    return {ImageList{"camera", {}, {}}, OpenCamera(*ParseDevice(input)), selection};
+  }
+  return ImageSource(ListImages(input, frame_rate_hz.value_or(default_frame_rate_hz)), selection);
+}
+
+}  // namespace corvo

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+#include "apps/dataset/image_reader.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDefaultFrameRateHz = 30.0;  // Where a video does not say.
+
+/// What a video and a camera share: frames are grabbed in order, and decoded if they are wanted.
+class CaptureReader : public ImageReader {
+ public:
+  CaptureReader(const cv::VideoCapture& capture, std::string name)
+      : capture_(capture), name_(std::move(name)) {}
+
+  std::optional<TimedImage> Read() override {
+    if (!Skip()) return std::nullopt;
+    const std::string name = fmt::format("{}, frame {}", name_, index_);
+    cv::Mat picture;
+    if (!capture_.retrieve(picture)) throw Error(fmt::format("{}: cannot be decoded", name));
+    return TimedImage{ToGrey(picture, name).clone(), {}, time_ns_, index_, name};
+  }
+
+  bool Skip() override {
+    if (!capture_.grab()) return false;
+    ++index_;
+    time_ns_ = TimeOfGrabbed(capture_, index_, time_ns_);
+    return true;
+  }
+
+ private:
+  /// `before` is the time of the frame before; any for the first.
+  virtual TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) = 0;
+
+  cv::VideoCapture capture_;
+  std::string name_;
+  int index_ = -1;
+  TimeNs time_ns_ = 0;
+};
+
+class VideoReader : public CaptureReader {
+ public:
+  VideoReader(const cv::VideoCapture& capture, const std::string& name,
+              std::optional<double> frame_rate_hz)
+      : CaptureReader(capture, name), frame_rate_hz_(frame_rate_hz) {
+    const double said_hz = capture.get(cv::CAP_PROP_FPS);
+    const bool is_plausible = said_hz >= 1e-3 && said_hz <= 1e6;
+    frame_ns_ = std::llround(1e9 / (is_plausible ? said_hz : kDefaultFrameRateHz));
+  }
+
+ private:
+  TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) override {
+    if (frame_rate_hz_) return std::llround(1e9 * index / *frame_rate_hz_);
+    const double said_ms = capture.get(cv::CAP_PROP_POS_MSEC);
+    const TimeNs time_ns = std::isfinite(said_ms) ? std::llround(1e6 * said_ms) : 0;
+    return index == 0 || time_ns > before ? time_ns : before + frame_ns_;
+  }
+
+  std::optional<double> frame_rate_hz_;
+  TimeNs frame_ns_ = 0;
+};
+
+class CameraReader : public CaptureReader {
+ public:
+  using CaptureReader::CaptureReader;
+
+ private:
+  TimeNs TimeOfGrabbed(cv::VideoCapture&, int index, TimeNs before) override {
+    const TimeNs time_ns = std::chrono::nanoseconds(Clock::now() - opened_).count();
+    return index == 0 ? time_ns : std::max(time_ns, before + 1);
+  }
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point opened_ = Clock::now();
+};
+
+/// By one backend, so that times and colours do not depend on which others are installed. Its
+/// errors are an unopened capture.
+template <typename Source>
+cv::VideoCapture OpenCapture(const Source& source, int backend) {
+  try {
+    return cv::VideoCapture(source, backend);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
+  const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
+  if (!capture.isOpened()) {
+    throw Error(fmt::format("{}: not a folder of pictures, nor a video that can be decoded",
+                            file.string()));
+  }
+  return std::make_unique<VideoReader>(capture, file.string(), frame_rate_hz);
+}
+
+std::unique_ptr<ImageReader> OpenCamera(int device) {
+  const std::string name = fmt::format("camera:{}", device);
+  const cv::VideoCapture capture = OpenCapture(device, cv::CAP_V4L2);
+  if (!capture.isOpened()) throw Error(fmt::format("{}: there is no such camera", name));
+  return std::make_unique<CameraReader>(capture, name);
+}
+
+}  // namespace corvo

@@ -1,0 +1,71 @@
+#include "apps/output/calibration_report.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace corvo {
+
+namespace {
+
+CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
+                                            const CameraParameters& given,
+                                            const CameraParameters& camera, double sigma) {
+  CalibrationReport::Estimate estimate{parameter.name, ValueOf(given, parameter.name),
+                                       ValueOf(camera, parameter.name), sigma,
+                                       ShareFromPictures(parameter, sigma)};
+  if (parameter.name == "focal") {  // Shown by fx, in its unit.
+    estimate.name = "fx";
+    estimate.sigma *= camera.fx;
+  }
+  return estimate;
+}
+
+}  // namespace
+
+CalibrationReport ReportCalibration(const Odometry& odometry,
+                                    const std::optional<Refinement>& refinement) {
+  const CameraPrior& prior = odometry.camera_prior();
+  const bool is_refined = refinement && refinement->adjustment.covariance.rows() > 0;
+  CalibrationReport report;
+  report.contradicts_given = odometry.contradicts_given_camera();
+  report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
+  report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.covariance
+                                                  : odometry.camera_estimate().covariance);
+  for (int i = 0; i < prior.num_free(); ++i) {
+    report.estimates.push_back(
+        ReportParameter(prior.free[i], prior.given, report.camera, report.sigma[i].sigma));
+  }
+  return report;
+}
+
+nlohmann::ordered_json ToJson(const CalibrationReport& report) {
+  if (report.estimates.empty()) return nullptr;
+  nlohmann::ordered_json json = {{"contradicts_given", report.contradicts_given}};
+  for (const CalibrationReport::Estimate& e : report.estimates) {
+    json[e.name] = {{"given", e.given},
+                    {"value", e.value},
+                    {"sigma", e.sigma},
+                    {"share_from_data", e.share_from_data}};
+  }
+  return json;
+}
+
+std::string ToText(const CalibrationReport& report) {
+  if (report.estimates.empty()) return "";
+  std::string text = "camera:";
+  for (const CalibrationReport::Estimate& e : report.estimates) {
+    text += fmt::format(" {} {:.4g} ± {:.2g} (given {:.4g}, {:.0f}% from the pictures)", e.name,
+                        e.value, e.sigma, e.given, 100 * e.share_from_data);
+  }
+  return text + "\n";
+}
+
+void WarnOfContradiction(const CalibrationReport& report) {
+  if (!report.contradicts_given) return;
+  spdlog::warn(
+      "the pictures contradict the given camera by more than its standard deviations allow; it was "
+      "used as given: check its focal length and distortion, or say how uncertain they are "
+      "(calibration.focal_sigma, k1_sigma, k2_sigma)");
+}
+
+}  // namespace corvo

@@ -1,0 +1,84 @@
+#include "apps/output/candidate_report.h"
+
+#include <fmt/format.h>
+
+namespace corvo {
+namespace {
+
+bool IsDistortion(const std::string& name) {
+  return name != "focal" && name != "cx" && name != "cy";
+}
+
+}  // namespace
+
+std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int selected) {
+  std::string text = fmt::format("  {:<8} {:>10} {:>8} {:>12} {:>12}\n", "model", "parameters",
+                                 "rms, px", "cost", "criterion");
+  for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
+    const CameraCandidate& candidate = candidates[i];
+    text += fmt::format("{} {:<8} {:>10} ", i == selected ? '*' : ' ',
+                        ToString(candidate.description), candidate.prior.num_free());
+    if (candidate.adjustment.outcome == AdjustmentOutcome::kLowered) {
+      text += fmt::format("{:>8.3f} {:>12.1f} {:>12.1f}\n", candidate.adjustment.inlier_rms_px,
+                          candidate.adjustment.final_cost, candidate.information_criterion);
+    } else {
+      text += "not found\n";
+    }
+  }
+  return text;
+}
+
+std::string EstimateText(const CameraCandidate& candidate) {
+  const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
+  const Eigen::MatrixXd& covariance = candidate.adjustment.covariance;
+  std::string text = "  parameter        value        sigma  correlations\n";
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    const auto& [name, deviation] = sigma[i];
+    const double value = ValueOf(candidate.adjustment.camera, name);
+    const double in_unit = name == "focal" ? deviation * value : deviation;
+    text += fmt::format("  {:<9} {:>12.6g} {:>12.3g} ", name, value, in_unit);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double correlation = covariance(i, j) / (sigma[i].sigma * sigma[j].sigma);
+      text += fmt::format(" {} {:+.2f}", sigma[j].name, correlation);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) {
+  constexpr double kMaxFocalSigma = 0.01;
+  constexpr double kMinShare = 0.5;
+  std::vector<std::string> warnings;
+  bool is_center_told = true, is_distortion_told = true;
+  const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    const FreeParameter& parameter = candidate.prior.free[i];
+    const bool is_told = ShareFromPictures(parameter, sigma[i].sigma) >= kMinShare;
+    if (parameter.name == "focal" && !(sigma[i].sigma <= kMaxFocalSigma)) {
+      warnings.push_back(fmt::format(
+          "the motion does not determine the focal length (known to {:.1f}%): turn while moving, "
+          "among things near and far, not straight ahead and not before a wall",
+          100 * sigma[i].sigma));
+    }
+    if (parameter.name == "cx" || parameter.name == "cy") is_center_told &= is_told;
+    if (IsDistortion(parameter.name)) is_distortion_told &= is_told;
+  }
+  if (!is_center_told) {
+    warnings.emplace_back(
+        "the motion does not determine the principal point, which stays near the picture's centre: "
+        "turn up, down and to the sides, and roll the camera about its axis");
+  }
+  if (!is_distortion_told) {
+    warnings.emplace_back(
+        "the motion does not determine all of the distortion: turn while moving, with texture up "
+        "to the picture's corners");
+  }
+  return warnings;
+}
+
+std::vector<FreeParameter> EstimatedSigma(const CameraCandidate& candidate) {
+  return Posterior(candidate.prior.free, candidate.adjustment.covariance);
+}
+
+}  // namespace corvo

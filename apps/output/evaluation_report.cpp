@@ -1,0 +1,126 @@
+#include "apps/output/evaluation_report.h"
+
+#include <fmt/format.h>
+
+namespace corvo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double Seconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
+
+Json RelativeJson(const RelativeError& error) {
+  return {{"translation", ToJson(error.translation)}, {"rotation_deg", ToJson(error.rotation_deg)}};
+}
+
+/// With what the motions span under the name `key`.
+template <typename Span>
+Json RelativeJson(const char* key, Span span, const RelativeError& error) {
+  Json json = {{key, span}};
+  json.update(RelativeJson(error));
+  return json;
+}
+
+Json KittiJson(const KittiDrift& drift) {
+  Json json = {{"t_rel_percent", drift.t_rel_percent},
+               {"r_rel_deg_per_100m", drift.r_rel_deg_per_100m},
+               {"lengths", Json::array()}};
+  for (const StretchDrift& stretch : drift.lengths) {
+    json["lengths"].push_back({{"length_m", stretch.length_m},
+                               {"count", stretch.count},
+                               {"t_rel_percent", stretch.t_rel_percent},
+                               {"r_rel_deg_per_100m", stretch.r_rel_deg_per_100m}});
+  }
+  return json;
+}
+
+Json AlignmentJson(const Sim3& transform) {
+  const SE3::Data data = SE3(transform.rotation(), transform.translation()).data();
+  return {{"scale", transform.scale()},
+          {"quaternion_xyzw", {data[0], data[1], data[2], data[3]}},
+          {"translation", {data[4], data[5], data[6]}}};
+}
+
+double PercentOfPath(const Evaluation& evaluation) {
+  return 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
+}
+
+std::string RelativeText(const std::string& name, const RelativeError& error) {
+  return ToText(name, error.translation, "") + ToText("", error.rotation_deg, " deg");
+}
+
+std::string DriftText(const Evaluation& evaluation) {
+  std::string text;
+  if (evaluation.kitti) {
+    text += fmt::format("{:<22} {:.3f}%, {:.3f} deg/100 m\n", "KITTI t_rel, r_rel",
+                        evaluation.kitti->t_rel_percent, evaluation.kitti->r_rel_deg_per_100m);
+  }
+  if (evaluation.scale_drift) {
+    text += fmt::format("{:<22} {:.4g}\n", "scale, last/first 1/3",
+                        evaluation.scale_drift->last_over_first);
+  }
+  return text;
+}
+
+}  // namespace
+
+Json ToJson(const ErrorStatistics& errors) {
+  return {{"count", errors.count},
+          {"rmse", errors.rmse},
+          {"mean", errors.mean},
+          {"median", errors.median},
+          {"max", errors.max}};
+}
+
+Json ToJson(const Evaluation& evaluation) {
+  const EvaluationOptions& options = evaluation.options;
+  Json json;
+  json["pairs"] = evaluation.num_pairs;
+  json["coverage"] = evaluation.coverage;
+  json["max_dt_s"] = Seconds(*options.max_dt_ns);
+  json["truth_path_length"] = evaluation.truth_path_length;
+  json["ate"] = ToJson(evaluation.absolute);
+  json["ate"]["percent_of_path"] = PercentOfPath(evaluation);
+  json["rpe_frames"] =
+      RelativeJson("frames", options.relative_delta_frames, evaluation.relative_frames);
+  json["rpe_time"] =
+      RelativeJson("seconds", Seconds(options.relative_delta_ns), evaluation.relative_time);
+  if (evaluation.relative_path) {
+    json["rpe_path"] =
+        RelativeJson("length", *options.relative_delta_path, *evaluation.relative_path);
+  }
+  if (evaluation.kitti) json["kitti"] = KittiJson(*evaluation.kitti);
+  if (evaluation.scale_drift) {
+    json["scale_drift"] = {{"last_over_first", evaluation.scale_drift->last_over_first},
+                           {"percent_per_km", evaluation.scale_drift->percent_per_km}};
+  }
+  json["truth_from_estimate"] = AlignmentJson(evaluation.truth_from_estimate);
+  return json;
+}
+
+std::string ToText(const std::string& name, const ErrorStatistics& errors,
+                   const std::string& unit) {
+  return fmt::format("{:<22} rmse {:.6g}, mean {:.6g}, median {:.6g}, max {:.6g}{}\n", name,
+                     errors.rmse, errors.mean, errors.median, errors.max, unit);
+}
+
+std::string ToText(const Evaluation& evaluation) {
+  const EvaluationOptions& options = evaluation.options;
+  std::string text =
+      fmt::format("{:<22} {} pairs, {:.1f}% of the truth's poses, path {:.6g}\n", "compared",
+                  evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
+  text += ToText("ATE", evaluation.absolute,
+                 fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));
+  text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
+                                   options.relative_delta_frames == 1 ? "" : "s"),
+                       evaluation.relative_frames);
+  text += RelativeText(fmt::format("RPE over {:.6g} s", Seconds(options.relative_delta_ns)),
+                       evaluation.relative_time);
+  if (evaluation.relative_path) {
+    text += RelativeText(fmt::format("RPE over {:.6g} of path", *options.relative_delta_path),
+                         *evaluation.relative_path);
+  }
+  return text + DriftText(evaluation);
+}
+
+}  // namespace corvo

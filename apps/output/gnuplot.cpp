@@ -1,0 +1,64 @@
+#include "apps/output/gnuplot.h"
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace corvo {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// A nameless file that holds `text`, at its start; null where there is no room for one.
+File HoldText(const std::string& text) {
+  File file(std::tmpfile());
+  if (!file) return nullptr;
+  std::fwrite(text.data(), 1, text.size(), file.get());
+  if (std::fflush(file.get()) != 0) return nullptr;
+  std::rewind(file.get());
+  return file;
+}
+
+/// Runs gnuplot with these files as standard input and output; true where it succeeds.
+bool Spawn(int input, const std::filesystem::path& output) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;  // It can be ended even while this process holds signals back.
+  posix_spawnattr_init(&attributes);
+  sigset_t no_signals;
+  sigemptyset(&no_signals);
+  posix_spawnattr_setsigmask(&attributes, &no_signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  char name[] = "gnuplot";
+  char* arguments[] = {name, nullptr};
+  pid_t process = 0;
+  const int error = posix_spawnp(&process, name, &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  return error == 0 && waitpid(process, &status, 0) == process && status == 0;
+}
+
+}  // namespace
+
+bool RunGnuplot(const std::string& script, const std::filesystem::path& output) {
+  const File input = HoldText(script);
+  if (input && Spawn(fileno(input.get()), output)) return true;
+  std::error_code ignored;
+  std::filesystem::remove(output, ignored);
+  return false;
+}
+
+}  // namespace corvo

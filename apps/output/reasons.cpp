@@ -1,0 +1,39 @@
+#include "apps/output/reasons.h"
+
+namespace corvo {
+
+std::map<Reason, int> CountReasons(const Trajectory& trajectory) {
+  std::map<Reason, int> counts;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) ++counts[frame.reason];
+  }
+  return counts;
+}
+
+std::string_view Advice(Reason reason) {
+  switch (reason) {
+    case Reason::kNone:
+      return "no reason is known";
+    case Reason::kReferenceFrame:
+      return "initialisation begins here: see the other reasons, or the sequence is too short";
+    case Reason::kTooFewFeatures:
+      return "the pictures are too dark, blurred or blank";
+    case Reason::kTooFewMatches:
+      return "the pictures change too much from one to the next: blur, or too low a frame rate";
+    case Reason::kLowParallax:
+      return "the camera hardly moves: it must move sideways or forwards";
+    case Reason::kRotationOnly:
+      return "the camera turns without moving: it must move sideways or forwards";
+    case Reason::kPlanar:
+      return "the scene is one plane: move until something at another depth comes into view";
+    case Reason::kAmbiguousMotion:
+      return "no motion explains the pictures: check the camera file, or the scene moves";
+    case Reason::kBadTriangulation:
+      return "points do not triangulate: check the camera file, or move further";
+    case Reason::kTooFewInliers:
+      return "tracking lost the map: blur, fast turns, or things that move";
+  }
+  return "";
+}
+
+}  // namespace corvo

@@ -1,0 +1,63 @@
+#include "apps/output/refinement_report.h"
+
+#include <fmt/format.h>
+
+namespace corvo {
+namespace {
+
+std::string WhyNotRefined(AdjustmentOutcome outcome) {
+  switch (outcome) {
+    case AdjustmentOutcome::kLowered:
+      return "";
+    case AdjustmentOutcome::kNoSightings:
+      return "there is nothing to adjust";
+    case AdjustmentOutcome::kSolverFailed:
+      return "the solver failed";
+    case AdjustmentOutcome::kNotLowered:
+      return "the robust cost would not be lower";
+  }
+  return "";
+}
+
+}  // namespace
+
+RefinementReport ReportRefinement(const Refinement& refinement) {
+  const FullAdjustment& adjustment = refinement.adjustment;
+  RefinementReport report;
+  report.why_not = WhyNotRefined(adjustment.outcome);
+  report.cost_before = adjustment.initial_cost;
+  report.cost_after = adjustment.final_cost;
+  report.num_sightings = adjustment.num_sightings;
+  report.num_inliers = adjustment.num_inliers;
+  report.num_adjusted = refinement.num_adjusted;
+  report.num_placed = refinement.num_placed;
+  report.num_moved = refinement.num_moved;
+  return report;
+}
+
+nlohmann::ordered_json ToJson(const RefinementReport& report) {
+  const bool is_refined = report.why_not.empty();
+  nlohmann::ordered_json json = {{"refined", is_refined}, {"cost_before", report.cost_before}};
+  if (!is_refined) {
+    json["why_not"] = report.why_not;
+    return json;
+  }
+  json["cost_after"] = report.cost_after;
+  json["sightings"] = report.num_sightings;
+  json["inliers"] = report.num_inliers;
+  json["frames_adjusted"] = report.num_adjusted;
+  json["frames_placed"] = report.num_placed;
+  json["frames_moved"] = report.num_moved;
+  return json;
+}
+
+std::string ToText(const RefinementReport& report) {
+  if (!report.why_not.empty()) return fmt::format("not refined: {}\n", report.why_not);
+  return fmt::format(
+      "refined: robust cost {:.1f} -> {:.1f} over {} sightings; {} frames adjusted, {} placed "
+      "again, {} moved with them\n",
+      report.cost_before, report.cost_after, report.num_sightings, report.num_adjusted,
+      report.num_placed, report.num_moved);
+}
+
+}  // namespace corvo

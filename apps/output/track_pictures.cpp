@@ -1,0 +1,71 @@
+#include "apps/output/track_pictures.h"
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+const cv::Scalar kTracked(80, 220, 60);  // BGR
+const cv::Scalar kTrail(60, 160, 255);
+const cv::Scalar kUntracked(150, 150, 150);
+
+cv::Point2f PixelOf(const Frame& frame, int keypoint) {
+  const orb::Keypoint& point = frame.keypoint(keypoint);
+  return {point.x, point.y};
+}
+
+std::map<LandmarkId, cv::Point2f> PixelsOfLandmarks(const Frame& frame) {
+  std::map<LandmarkId, cv::Point2f> pixels;
+  for (int i = 0; i < frame.num_keypoints(); ++i) {
+    if (frame.landmarks[i] != kNoId) pixels[frame.landmarks[i]] = PixelOf(frame, i);
+  }
+  return pixels;
+}
+
+void DrawCaption(const FrameResult& result, cv::Mat& picture) {
+  const std::string text =
+      fmt::format("{}  {}  {} inliers", result.index, ToString(result.state), result.num_inliers);
+  const cv::Point place(6, picture.rows - 8);
+  cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
+  cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
+}
+
+}  // namespace
+
+cv::Mat DrawTracks(const cv::Mat& image, const Frame& frame, const FrameResult& result,
+                   const std::map<LandmarkId, cv::Point2f>& previous) {
+  cv::Mat picture;
+  cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
+  for (int i = 0; i < frame.num_keypoints(); ++i) {
+    if (frame.landmarks[i] == kNoId) cv::circle(picture, PixelOf(frame, i), 1, kUntracked, -1);
+  }
+  for (const auto& [landmark, pixel] : PixelsOfLandmarks(frame)) {
+    const auto before = previous.find(landmark);
+    if (before != previous.end()) cv::line(picture, before->second, pixel, kTrail, 1, cv::LINE_AA);
+    cv::circle(picture, pixel, 3, kTracked, 1, cv::LINE_AA);
+  }
+  DrawCaption(result, picture);
+  return picture;
+}
+
+TrackPictures::TrackPictures(const std::filesystem::path& folder) : folder_(folder) {
+  if (folder_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
+}
+
+void TrackPictures::Add(const cv::Mat& image, const Frame& frame, const FrameResult& result) {
+  if (folder_.empty()) return;
+  const std::filesystem::path file = folder_ / fmt::format("{:06}.jpg", result.index);
+  if (!cv::imwrite(file.string(), DrawTracks(image, frame, result, previous_))) {
+    throw Error(fmt::format("{}: cannot be written", file.string()));
+  }
+  previous_ = PixelsOfLandmarks(frame);
+}
+
+}  // namespace corvo

@@ -1,0 +1,75 @@
+#include "apps/run/eval_inputs.h"
+
+#include <fmt/format.h>
+
+#include "apps/dataset/ground_truth.h"
+#include "apps/dataset/pose_file.h"
+#include "orb/error.h"
+#include "vo/io/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path FindEstimate(const fs::path& given) {
+  return fs::is_directory(given) ? given / "trajectory.tum" : given;
+}
+
+fs::path FindTruth(const EvalFiles& files) {
+  const fs::path& given = files.truth;
+  if (given.empty()) {
+    const fs::path written = files.estimate / "groundtruth.tum";
+    if (fs::is_regular_file(written)) return written;
+    throw Error(fmt::format("{}: no ground truth: give GT", written.string()));
+  }
+  if (!fs::is_directory(given)) return given;
+  const fs::path file = FindGroundTruth(given);
+  if (file.empty()) {
+    throw Error(
+        fmt::format("{}: no ground truth where KITTI, EuRoC, TUM RGB-D, TUM-VI and "
+                    "TUM-mono have it; name the file",
+                    given.string()));
+  }
+  return file;
+}
+
+/// --times, or else the times.txt of the KITTI sequence whose folder was given.
+fs::path FindTimes(const EvalFiles& files) {
+  if (!files.times.empty()) return files.times;
+  if (files.truth.empty()) return {};
+  const fs::path times = files.truth / "times.txt";
+  return fs::is_regular_file(times) ? times : fs::path();
+}
+
+/// The poses of a file, with the times of another where it has none of its own.
+PoseSequence WithTimesOf(const PoseFile& poses, const fs::path& file, const fs::path& times_file) {
+  if (poses.has_times() || times_file.empty()) return poses.poses();
+  const std::vector<TimeNs> times = ReadKittiTimes(times_file);
+  if (poses.size() != times.size()) {
+    throw Error(fmt::format("{}: {} times for {} poses in {}", times_file.string(), times.size(),
+                            poses.size(), file.string()));
+  }
+  return poses.WithTimes(times);
+}
+
+}  // namespace
+
+EvalInputs ReadEvalInputs(const EvalFiles& files) {
+  EvalInputs inputs{FindEstimate(files.estimate), FindTruth(files), {}, {}};
+  const PoseFile estimate = ReadPoseFile(inputs.estimate_file);
+  const PoseFile truth = ReadTruthFile(inputs.truth_file);
+  const fs::path times = FindTimes(files);
+  if (estimate.has_times() != truth.has_times() && times.empty()) {
+    const fs::path& without = estimate.has_times() ? inputs.truth_file : inputs.estimate_file;
+    throw Error(
+        fmt::format("{}: KITTI format has no times; give --times FILE with the time of "
+                    "each row (the sequence's times.txt)",
+                    without.string()));
+  }
+  inputs.estimate = WithTimesOf(estimate, inputs.estimate_file, times);
+  inputs.truth = WithTimesOf(truth, inputs.truth_file, times);
+  return inputs;
+}
+
+}  // namespace corvo

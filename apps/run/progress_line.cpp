@@ -1,0 +1,53 @@
+#include "apps/run/progress_line.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace corvo {
+namespace {
+
+constexpr double kMsBetweenBars = 100;
+constexpr int kDefaultColumns = 80;
+constexpr int kMaxBarColumns = 30;
+constexpr int kMinBarColumns = 5;
+constexpr const char* kEraseLine = "\r\x1b[K";
+
+int TerminalColumns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : kDefaultColumns;
+}
+
+std::string Bar(double share, int columns) {
+  const int filled = std::clamp(static_cast<int>(share * columns), 0, columns);
+  return fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", columns - filled);
+}
+
+}  // namespace
+
+std::string ProgressBar(std::optional<double> share, const std::string& text, int columns) {
+  const std::string shown = text.substr(0, std::max(columns, 0));
+  const int room = columns - static_cast<int>(shown.size()) - 3;  // Brackets and a blank.
+  if (!share || room < kMinBarColumns) return shown;
+  return Bar(*share, std::min(room, kMaxBarColumns)) + shown;
+}
+
+ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (is_terminal_) std::fputs(kEraseLine, stderr);
+}
+
+void ProgressLine::Show(std::optional<double> share, const std::string& text) {
+  if (!is_terminal_) return;
+  const double now_ms = watch_.ElapsedMs();
+  if (now_ms - last_drawn_ms_ < kMsBetweenBars && share != 1.0) return;
+  last_drawn_ms_ = now_ms;
+  std::fputs((kEraseLine + ProgressBar(share, text, TerminalColumns() - 1)).c_str(), stderr);
+}
+
+}  // namespace corvo

@@ -1,0 +1,103 @@
+#include "apps/run/run_results.h"
+
+#include <spdlog/spdlog.h>
+
+#include "apps/output/environment.h"
+#include "apps/output/map_ply.h"
+#include "apps/output/plot.h"
+#include "apps/run/kitti_trajectory.h"
+#include "vo/io/config.h"
+#include "vo/io/trajectory_io.h"
+
+namespace corvo {
+namespace {
+
+PoseSequence PosedKeyframes(const Trajectory& trajectory) {
+  Trajectory keyframes;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.is_keyframe) keyframes.frames.push_back(frame);
+  }
+  return keyframes.PosedFrames();
+}
+
+std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
+  std::vector<PoseSequence> segments;
+  int segment = kNoId;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) continue;
+    if (frame.segment != segment) segments.emplace_back();
+    segment = frame.segment;
+    segments.back().push_back({frame.time_ns, *frame.world_from_camera});
+  }
+  return segments;
+}
+
+/// The estimate, aligned to the truth where there is one; of the truth, the time of the pictures.
+TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
+                        const RunSummary& summary) {
+  TrajectoryPlot plot{PosesBySegment(trajectory), {}};
+  if (!summary.evaluation) return plot;
+  for (PoseSequence& segment : plot.segments) {
+    segment = MovePoses(summary.evaluation->truth_from_estimate, std::move(segment));
+  }
+  for (const TimedPose& pose : inputs.truth.poses) {
+    if (pose.time_ns < trajectory.frames.front().time_ns) continue;
+    if (pose.time_ns <= trajectory.frames.back().time_ns) plot.truth.push_back(pose);
+  }
+  return plot;
+}
+
+void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output) {
+  const PoseSequence poses = trajectory.PosedFrames();
+  WriteTum(output.Stage("trajectory.tum"), poses);
+  WriteEurocPoses(output.Stage("trajectory_euroc.csv"), poses);
+  WriteTum(output.Stage("rotations.tum"), trajectory.Rotations());
+  WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(trajectory));
+  if (WhyNotKitti(trajectory).empty()) {
+    WriteKittiPoses(output.Stage("trajectory.kitti"), KittiRows(trajectory));
+  }
+}
+
+void WriteTables(const RunArguments& arguments, const RunRecord& record,
+                 const OutputFolder& output) {
+  const double metres_per_unit = arguments.metres_per_unit.value_or(1);
+  output.Write("map.ply", record.is_refined()
+                              ? MapPly(*record.refinement, metres_per_unit)
+                              : MapPly(*record.finished, record.odometry.map(), metres_per_unit));
+  output.Write("frames.csv", FrameTable(record.trajectory));
+  output.Write("timing.csv", TimingTable(record.timings));
+}
+
+/// Without sigmas where they do not hold: the pictures contradict them.
+CameraFile EstimatedCamera(const CalibrationReport& calibration) {
+  CameraFile file{Camera(calibration.camera), {}, "estimated by corvo run", {}};
+  if (!calibration.contradicts_given) file.sigma = calibration.sigma;
+  return file;
+}
+
+void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
+  output.Write(name, json.dump(2) + "\n");
+}
+
+}  // namespace
+
+void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
+                  const RunSummary& summary, OutputFolder& output) {
+  WriteTrajectories(record.trajectory, output);
+  if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
+  WriteTables(arguments, record, output);
+  output.Write("config.yaml", WriteOptions(inputs.options));
+  output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
+  WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
+  WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
+  const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);
+  if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) {
+    spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
+  }
+  output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
+                 "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv",
+                 "config.yaml", "camera_estimated.yaml", "environment.json", "trajectory.png",
+                 "summary.json"});
+}
+
+}  // namespace corvo

@@ -1,0 +1,202 @@
+#include "apps/run/run_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "apps/output/calibration_report.h"
+#include "apps/output/evaluation_report.h"
+#include "apps/output/reasons.h"
+#include "apps/run/kitti_trajectory.h"
+#include "orb/error.h"
+#include "orb/pyramid.h"
+
+namespace corvo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double Share(int part, int whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / whole; }
+
+Json CameraJson(const CameraParameters& camera) {
+  Json json = {{"model", ToString(camera.model)}};
+  CameraParameters::Visit(
+      camera, [&json](const char* name, const auto& value, auto&&...) { json[name] = value; });
+  return json;
+}
+
+template <typename Key>
+Json CountsJson(const std::map<Key, int>& counts) {
+  Json json = Json::object();
+  for (const auto& [key, count] : counts) json[std::string(ToString(key))] = count;
+  return json;
+}
+
+/// The reasons, the most frequent first.
+std::vector<std::pair<Reason, int>> ByCount(const std::map<Reason, int>& reasons) {
+  std::vector<std::pair<Reason, int>> sorted(reasons.begin(), reasons.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
+}
+
+/// A histogram, with what to do about each reason.
+std::string ReasonsText(const RunSummary& summary) {
+  constexpr int kBarColumns = 20;
+  if (summary.reasons.empty()) return "";
+  const int unposed = summary.num_frames - summary.num_posed;
+  std::string text = fmt::format("{} of {} frames have no pose:\n", unposed, summary.num_frames);
+  for (const auto& [reason, count] : ByCount(summary.reasons)) {
+    const int columns = std::max(1, count * kBarColumns / unposed);
+    text += fmt::format("  {:<18} {:>6}  {:<{}}  {}\n", ToString(reason), count,
+                        std::string(columns, '#'), kBarColumns, Advice(reason));
+  }
+  return text;
+}
+
+std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Odometry& odometry) {
+  const orb::ExtractorOptions& extractor = inputs.options.extractor;
+  const auto residuals =
+      MeasureResiduals(odometry.map(), odometry.camera(),
+                       orb::OctaveScales(extractor.num_levels, extractor.scale_factor));
+  if (residuals && IsImplausible(*residuals)) {
+    spdlog::warn(
+        "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
+        "2 px at most are expected); check the camera's focal length, centre and distortion",
+        residuals->median_px, residuals->num_matches);
+  }
+  return residuals;
+}
+
+std::string CameraSource(const RunArguments& arguments) {
+  if (!arguments.focal.empty()) return "focal search";
+  return arguments.camera.empty() ? "dataset" : arguments.camera.string();
+}
+
+/// What was asked for of --start --every --count --resize --mask --fps.
+void AddInputJson(const RunArguments& arguments, Json& json) {
+  const Selection& selection = arguments.selection;
+  if (selection.start != 0) json["start"] = selection.start;
+  if (selection.every != 1) json["every"] = selection.every;
+  if (selection.count) json["count"] = *selection.count;
+  if (!arguments.resize.empty()) json["resize"] = arguments.resize;
+  if (!arguments.mask.empty()) json["mask"] = arguments.mask.string();
+  if (arguments.frame_rate_hz) json["fps"] = *arguments.frame_rate_hz;
+}
+
+/// None where too little is posed to be compared.
+std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth,
+                                      const EvaluationOptions& options) {
+  try {
+    return Evaluate(estimate, truth, options);
+  } catch (const Error& error) {
+    spdlog::warn("no evaluation: {}", error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<TimeNs> MaxDt(const RunArguments& arguments) {
+  if (!arguments.max_dt_s) return std::nullopt;
+  return std::llround(1e9 * *arguments.max_dt_s);
+}
+
+/// Rotations relative to one another: they need no alignment, and are there where poses are not.
+std::optional<ErrorStatistics> EvaluateRotations(const PoseSequence& rotations,
+                                                 const PoseSequence& truth,
+                                                 std::optional<TimeNs> max_dt_ns) {
+  constexpr TimeNs kSecond = 1'000'000'000;
+  const auto pairs = Associate(rotations, truth, max_dt_ns.value_or(HalfFrame(rotations)));
+  const ErrorStatistics errors = RelativeErrorOverTime(pairs, kSecond).rotation_deg;
+  return errors.count > 0 ? std::optional(errors) : std::nullopt;
+}
+
+}  // namespace
+
+RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
+                     const RunRecord& record) {
+  const Trajectory& trajectory = record.trajectory;
+  const Map& map = record.odometry.map();
+  RunSummary summary;
+  summary.outcome = JudgeOutcome(trajectory);
+  summary.num_frames = static_cast<int>(trajectory.frames.size());
+  summary.num_posed = CountPosedFrames(trajectory);
+  summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
+  summary.num_segments = CountPosedSegments(trajectory);
+  summary.num_keyframes = map.num_keyframes();
+  summary.num_landmarks = record.finished->size() + map.num_landmarks();
+  for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
+  summary.reasons = CountReasons(trajectory);
+  summary.why_not_kitti = WhyNotKitti(trajectory);
+  summary.residuals = MeasureAndWarn(inputs, record.odometry);
+  summary.calibration = ReportCalibration(record.odometry, record.refinement);
+  if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
+  WarnOfContradiction(summary.calibration);
+  if (!inputs.truth.poses.empty()) {
+    EvaluationOptions options;
+    options.max_dt_ns = MaxDt(arguments);
+    summary.evaluation = TryEvaluate(trajectory.PosedFrames(), inputs.truth.poses, options);
+    summary.rotation_deg =
+        EvaluateRotations(trajectory.Rotations(), inputs.truth.poses, MaxDt(arguments));
+  }
+  return summary;
+}
+
+Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSummary& summary) {
+  Json json;
+  json["outcome"] = ToString(summary.outcome);
+  json["exit_code"] = static_cast<int>(summary.outcome);
+  json["input"] = arguments.input.string();
+  json["layout"] = inputs.source.list().layout;
+  AddInputJson(arguments, json);
+  json["camera_source"] = CameraSource(arguments);
+  json["camera"] = CameraJson(inputs.camera.given);
+  json["calibration"] = ToJson(summary.calibration);
+  if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
+  json["frames"] = summary.num_frames;
+  json["posed"] = summary.num_posed;
+  json["posed_share"] = Share(summary.num_posed, summary.num_frames);
+  json["rotations"] = summary.num_rotations;
+  json["segments"] = summary.num_segments;
+  json["keyframes"] = summary.num_keyframes;
+  json["landmarks"] = summary.num_landmarks;
+  if (summary.residuals) {
+    json["residuals"] = {{"matches", summary.residuals->num_matches},
+                         {"median_px", summary.residuals->median_px},
+                         {"implausible_calibration", IsImplausible(*summary.residuals)}};
+  }
+  json["states"] = CountsJson(summary.states);
+  json["reasons"] = CountsJson(summary.reasons);
+  json["trajectory_kitti"] =
+      summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
+  if (arguments.metres_per_unit) json["metres_per_unit"] = *arguments.metres_per_unit;
+  if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
+  if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
+  if (summary.rotation_deg) json["rotation_over_1s_deg"] = ToJson(*summary.rotation_deg);
+  return json;
+}
+
+std::string SummaryText(const RunArguments& arguments, const RunSummary& summary) {
+  std::string text = fmt::format(
+      "{}: {} frames, {} posed ({:.1f}%), {} segment{}, {} keyframes, {} landmarks\n",
+      ToString(summary.outcome), summary.num_frames, summary.num_posed,
+      100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
+      summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
+  text += ReasonsText(summary) + ToText(summary.calibration);
+  if (summary.refinement) text += ToText(*summary.refinement);
+  if (summary.evaluation) text += ToText(*summary.evaluation);
+  if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {
+    text += ToText(fmt::format("{} rotations, 1 s", summary.num_rotations), *summary.rotation_deg,
+                   " deg");
+  }
+  for (const char* name : {"trajectory.tum", "frames.csv", "summary.json", "trajectory.png"}) {
+    const std::filesystem::path file = arguments.output / name;
+    if (std::filesystem::exists(file)) text += file.string() + "\n";
+  }
+  return text;
+}
+
+}  // namespace corvo

@@ -1,0 +1,56 @@
+#include "vo/camera/camera_fit.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+/// The greatest distance of two cameras' pixels over the picture of the first.
+double GreatestDistance(const Camera& first, const Camera& second) {
+  double greatest = 0;
+  for (int x = 0; x < first.width(); x += 20) {
+    for (int y = 0; y < first.height(); y += 20) {
+      const Eigen::Vector3d ray = first.Undistort({x, y}).value().homogeneous();
+      greatest = std::max(greatest, (second.Project(ray).value() - Eigen::Vector2d(x, y)).norm());
+    }
+  }
+  return greatest;
+}
+
+Camera Distorted(double k1) {
+  CameraParameters parameters = test::PinholeCamera().parameters();
+  parameters.k1 = k1;
+  return Camera(parameters);
+}
+
+TEST(CameraFitTest, TheSameModelIsTheSameCamera) {
+  const Camera camera = Distorted(-0.1);
+  EXPECT_EQ(FitCamera(camera, CameraModel::kPinhole), camera.parameters());
+}
+
+TEST(CameraFitTest, AFisheyeModelImagesAsAPinholeDoes) {
+  for (const double k1 : {-0.2, 0.0, 0.1}) {
+    const Camera camera = Distorted(k1);
+    EXPECT_LT(GreatestDistance(camera, Camera(FitCamera(camera, CameraModel::kKb4))), 0.1) << k1;
+  }
+}
+
+TEST(CameraFitTest, ALensIsFoundAgain) {
+  CameraParameters lens = test::PinholeCamera().parameters();
+  lens.model = CameraModel::kFov;
+  lens.omega = 0.8;
+  const Camera as_pinhole(FitCamera(Camera(lens), CameraModel::kPinhole));
+  EXPECT_LT(GreatestDistance(Camera(lens), as_pinhole), 1);
+  const CameraParameters again = FitCamera(as_pinhole, CameraModel::kFov);
+  EXPECT_NEAR(again.omega, lens.omega, 0.02);
+  EXPECT_NEAR(again.fx, lens.fx, 0.005 * lens.fx);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,121 @@
+#include "vo/camera/camera_prior.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+CameraPrior Prior(std::vector<FreeParameter> free) {
+  return {test::PinholeCamera().parameters(), std::move(free)};
+}
+
+TEST(CameraPriorTest, ADifferenceMovesWhatIsFree) {
+  const CameraPrior prior = Prior({{"focal"}, {"cy"}, {"k1"}});
+  const CameraParameters camera = prior.Apply(Eigen::Vector3d(std::log(1.1), -2, 0.05));
+  CameraParameters expected = prior.given;
+  expected.fx = expected.fy = 550;
+  expected.cy = 237.5;
+  expected.k1 = 0.05;
+  EXPECT_NEAR(camera.fx, expected.fx, 1e-9);
+  EXPECT_EQ(camera.fx, camera.fy);
+  expected.fx = expected.fy = camera.fx;
+  EXPECT_EQ(camera, expected);
+}
+
+TEST(CameraPriorTest, DifferenceIsTheInverseOfApply) {
+  const CameraPrior prior = Prior({{"p2"}, {"fy"}, {"fx"}, {"k3"}, {"cx"}});
+  Eigen::VectorXd difference(5);
+  difference << 0.001, 3, -4, 0.2, 1.5;
+  EXPECT_THAT(prior.Difference(prior.Apply(difference)), test::IsMatrixNear(difference, 1e-12));
+  const CameraPrior focal = Prior({{"focal"}});
+  EXPECT_NEAR(focal.Difference(focal.Apply(Eigen::VectorXd::Constant(1, 0.07)))[0], 0.07, 1e-12);
+}
+
+TEST(CameraPriorTest, WhatIsNotKnownHasNoError) {
+  const CameraPrior prior = Prior({{"focal", 0.01}, {"cx"}, {"k1", 0.02}});
+  EXPECT_DOUBLE_EQ(prior.SquaredError(Eigen::Vector3d(0.02, 1e6, 0.02)), 4 + 0 + 1);
+}
+
+TEST(CameraPriorTest, AllowsAFewSigmas) {
+  const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}});
+  EXPECT_THAT(Eigen::VectorXd(PriorEstimate(prior).covariance.diagonal()),
+              test::IsMatrixNear(Eigen::VectorXd(Eigen::Vector3d(1e-4, 4e-4, 9e-4)), 1e-15));
+  EXPECT_TRUE(prior.Allows(Eigen::Vector3d(0.02, 0.04, -0.06)));
+  EXPECT_FALSE(prior.Allows(Eigen::Vector3d(0.05, 0, 0)));
+  EXPECT_FALSE(prior.Allows(Eigen::Vector3d(0, 0.06, 0.09)));
+}
+
+TEST(CameraPriorTest, OfWhatIsNotKnownEverythingIsAllowed) {
+  EXPECT_TRUE(Prior({{"cx"}}).Allows(Eigen::VectorXd::Constant(1, 1e6)));
+  EXPECT_FALSE(Prior({{"cx"}, {"k1", 0.1}}).Allows(Eigen::Vector2d(0, 0.4)));
+}
+
+TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDistortion) {
+  const CalibrationOptions options;
+  CameraParameters given = test::PinholeCamera().parameters();
+  EXPECT_EQ(
+      MakePrior(given, options).free,
+      (std::vector<FreeParameter>{
+          {"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}));
+  given.model = CameraModel::kKb4;
+  EXPECT_EQ(MakePrior(given, options).num_free(), 0);
+}
+
+TEST(CameraPriorTest, BesideMoreInformationItIsWorthLess) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.02}}};
+  const CameraPrior beside = prior.Beside(4);
+  EXPECT_EQ(beside.given, prior.given);
+  EXPECT_THAT(beside.free,
+              testing::ElementsAre(FreeParameter{"focal", 0.02}, FreeParameter{"k1", 0.04}));
+  const Eigen::Vector2d difference(0.003, 0.01);
+  EXPECT_DOUBLE_EQ(4 * beside.SquaredError(difference), prior.SquaredError(difference));
+}
+
+TEST(CameraPriorTest, SigmasInPixelsAreResizedWithThePictures) {
+  const CameraPrior prior = Prior({{"focal", 0.01}, {"cx", 2}, {"cy", 3}, {"k1", 0.1}});
+  const CameraParameters& given = prior.given;
+  const CameraPrior resized = prior.Resized(given.width / 2, given.height / 4);
+  EXPECT_EQ(resized.given, Camera(given).Resized(given.width / 2, given.height / 4).parameters());
+  EXPECT_EQ(resized.free,
+            (std::vector<FreeParameter>{{"focal", 0.01}, {"cx", 1}, {"cy", 0.75}, {"k1", 0.1}}));
+}
+
+TEST(CameraPriorTest, ThePosteriorIsKnownAsItsCovarianceSays) {
+  const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.2}});
+  const Eigen::Matrix2d covariance = Eigen::Vector2d(0.005 * 0.005, 0.1 * 0.1).asDiagonal();
+  EXPECT_EQ(Posterior(prior.free, covariance),
+            (std::vector<FreeParameter>{{"focal", 0.005}, {"k1", 0.1}}));
+  EXPECT_DOUBLE_EQ(ShareFromPictures(prior.free[0], 0.005), 0.75);
+  EXPECT_EQ(ShareFromPictures({"cx"}, 3), 1) << "nothing was known before";
+}
+
+TEST(CameraPriorTest, OfFocalTheValueIsFx) {
+  CameraParameters camera = test::PinholeCamera().parameters();
+  camera.fy = 510;
+  EXPECT_EQ(ValueOf(camera, "focal"), camera.fx);
+  EXPECT_EQ(ValueOf(camera, "fy"), 510);
+}
+
+TEST(CameraPriorTest, NamesWhatMayBeFree) {
+  EXPECT_THAT(FreeParameterNames(CameraModel::kFov),
+              testing::ElementsAre("focal", "fx", "fy", "cx", "cy", "omega"));
+}
+
+TEST(CameraPriorTest, RefusesWhatTheModelDoesNotHave) {
+  const auto validate = [](std::vector<FreeParameter> free) {
+    return [free] { Prior(free).Validate(); };
+  };
+  Prior({{"focal", 0.1}, {"cx"}, {"k1", 0.1}}).Validate();
+  EXPECT_THAT(validate({{"omega"}}), test::ThrowsError("pinhole-radtan", "omega"));
+  EXPECT_THAT(validate({{"width"}}), test::ThrowsError("no parameter", "width"));
+  EXPECT_THAT(validate({{"k1", 0}}), test::ThrowsError("sigma of k1", "more than 0"));
+  EXPECT_THAT(validate({{"focal"}, {"fy"}}), test::ThrowsError("fy", "twice"));
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,90 @@
+#include "vo/camera/differentiable_camera.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/matchers.h"
+#include "tests/support/numeric_jacobian.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+const Eigen::Vector3d kPoint(0.6, -0.4, 2);
+
+/// By focal, k1 and k2, of a point seen at (x/z, y/z) and at `pixel`.
+Eigen::Matrix<double, 2, 3> AnalyticDerivative(const CameraParameters& camera,
+                                               const Eigen::Vector2d& normalized,
+                                               const Eigen::Vector2d& pixel) {
+  const double s = normalized.squaredNorm();
+  const Eigen::Vector2d radial(camera.fx * normalized.x(), camera.fy * normalized.y());
+  Eigen::Matrix<double, 2, 3> derivative;
+  derivative << pixel - Eigen::Vector2d(camera.cx, camera.cy), s * radial, s * s * radial;
+  return derivative;
+}
+
+TEST(DifferentiableCameraTest, ItsDerivativeIsTheAnalyticOne) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.k1 = -0.1;
+  given.k2 = 0.05;
+  const CameraPrior prior{given, {{"focal"}, {"k1"}, {"k2"}}};
+  const DifferentiableCamera camera(prior, Eigen::Vector3d(0.01, 0.02, 0));
+  const Eigen::Vector2d pixel = *camera.camera().Project(kPoint);
+  EXPECT_THAT(
+      Eigen::MatrixXd(camera.PixelByDifference(kPoint, pixel)),
+      test::IsMatrixNear(
+          AnalyticDerivative(camera.camera().parameters(), kPoint.hnormalized(), pixel), 1e-5));
+}
+
+TEST(DifferentiableCameraTest, EveryDerivativeIsTheNumericOne) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.k1 = -0.1;
+  given.p2 = 0.01;
+  for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kKb4}) {
+    given.model = model;
+    if (model == CameraModel::kKb4) given.p2 = 0;
+    CameraPrior prior{given, {}};
+    for (const std::string& name : FreeParameterNames(model)) {
+      prior.free = {{name}};
+      const auto pixel_at = [&](const Eigen::Matrix<double, 1, 1>& difference) {
+        return *Camera(prior.Apply(difference)).Project(kPoint);
+      };
+      const Eigen::Matrix<double, 1, 1> none = Eigen::Matrix<double, 1, 1>::Zero();
+      const DifferentiableCamera camera(prior, none);
+      EXPECT_THAT(
+          Eigen::MatrixXd(camera.PixelByDifference(kPoint, pixel_at(none))),
+          test::IsMatrixNear(Eigen::MatrixXd(test::NumericJacobianAt<2, 1>(none, pixel_at)), 1e-3))
+          << name;
+    }
+  }
+}
+
+TEST(DifferentiableCameraTest, ThePrincipalPointMovesThePictureAndAFocalLengthOneAxis) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"cx"}, {"cy"}, {"fy"}}};
+  const DifferentiableCamera camera(prior, Eigen::Vector3d::Zero());
+  Eigen::Matrix<double, 2, 3> expected;
+  expected << 1, 0, 0, 0, 1, -0.2;
+  EXPECT_THAT(Eigen::MatrixXd(camera.PixelByDifference(kPoint, *camera.camera().Project(kPoint))),
+              test::IsMatrixNear(expected, 1e-7));
+}
+
+TEST(DifferentiableCameraTest, AtTheEndOfARangeItLooksInside) {
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.model = CameraModel::kFov;
+  given.omega = 3;
+  const CameraPrior prior{given, {{"omega"}}};
+  const auto derivative = [&](double omega) {
+    const DifferentiableCamera camera(prior, Eigen::VectorXd::Constant(1, omega - 3));
+    return Eigen::MatrixXd(camera.PixelByDifference(kPoint, *camera.camera().Project(kPoint)));
+  };
+  EXPECT_GT(derivative(3).norm(), 1);
+  EXPECT_THAT(derivative(3), test::IsMatrixNear(derivative(2.9999), 0.1));
+}
+
+TEST(DifferentiableCameraTest, RefusesWhatIsNoCamera) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"fx"}}};
+  EXPECT_THAT([&] { DifferentiableCamera(prior, Eigen::VectorXd::Constant(1, -600)); },
+              test::ThrowsError("camera.fx", "-100"));
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,71 @@
+#include "vo/core/trajectory.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <string>
+
+namespace corvo {
+namespace {
+
+FrameResult MakeFrame(TimeNs time_ns, bool posed) {
+  FrameResult frame;
+  frame.time_ns = time_ns;
+  if (posed) frame.world_from_camera = SE3(SO3(), Eigen::Vector3d(1e-9 * time_ns, 0, 0));
+  return frame;
+}
+
+TEST(TrajectoryTest, PosedFramesLeavesOutTheOthers) {
+  const Trajectory trajectory{
+      {MakeFrame(10, false), MakeFrame(20, true), MakeFrame(30, false), MakeFrame(40, true)}};
+  const PoseSequence poses = trajectory.PosedFrames();
+  ASSERT_EQ(poses.size(), 2);
+  EXPECT_EQ(poses[0].time_ns, 20);
+  EXPECT_EQ(poses[1].time_ns, 40);
+  EXPECT_EQ(poses[1].world_from_camera, *trajectory.frames[3].world_from_camera);
+  EXPECT_EQ(trajectory.PosedShare(), 0.5);
+}
+
+TEST(TrajectoryTest, EmptyHasNothingPosed) {
+  EXPECT_TRUE(Trajectory().PosedFrames().empty());
+  EXPECT_EQ(Trajectory().PosedShare(), 0);
+}
+
+TEST(FrameResultTest, StatesAndReasonsHaveNamesOfTheirOwn) {
+  EXPECT_EQ(ToString(State::kTracking), "tracking");
+  EXPECT_EQ(ToString(Reason::kLowParallax), "low_parallax");
+  std::set<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(Reason::kTooFewInliers); ++i) {
+    EXPECT_TRUE(names.insert(ToString(static_cast<Reason>(i))).second);
+    EXPECT_THAT(std::string(ToString(static_cast<Reason>(i))),
+                ::testing::MatchesRegex("[a-z]+(_[a-z]+)*"));
+  }
+  EXPECT_EQ(names.count("unknown"), 0);
+}
+
+TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
+  Trajectory trajectory;
+  trajectory.frames.resize(2);
+  const SE3 pose(SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3)), Eigen::Vector3d(1, -2, 3));
+  trajectory.frames[1].world_from_camera = pose;
+  const Trajectory scaled = Scale(2.5, trajectory);
+  EXPECT_FALSE(scaled.frames[0].world_from_camera);
+  EXPECT_EQ(*scaled.frames[1].world_from_camera,
+            SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
+}
+
+TEST(TrajectoryTest, RotationsAreThoseOfUnposedFramesToo) {
+  Trajectory trajectory;
+  trajectory.frames = {MakeFrame(10, false), MakeFrame(20, false), MakeFrame(30, true)};
+  const SO3 rotation = SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3));
+  trajectory.frames[1].world_from_camera_rotation = rotation;
+  trajectory.frames[2].world_from_camera_rotation = SO3();
+  const PoseSequence rotations = trajectory.Rotations();
+  ASSERT_EQ(rotations.size(), 2);
+  EXPECT_EQ(rotations[0].time_ns, 20);
+  EXPECT_EQ(rotations[0].world_from_camera, SE3(rotation, Eigen::Vector3d::Zero()));
+  EXPECT_EQ(rotations[1].world_from_camera, SE3());
+}
+
+}  // namespace
+}  // namespace corvo

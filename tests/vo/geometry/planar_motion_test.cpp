@@ -1,0 +1,116 @@
+#include "vo/geometry/planar_motion.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+/// The plane n · x = d.
+struct Plane {
+  Eigen::Vector3d normal;
+  double distance;
+};
+
+Eigen::Matrix3d HomographyOf(const SE3& second_from_first, const Plane& plane) {
+  return second_from_first.rotation().matrix() +
+         second_from_first.translation() * plane.normal.transpose() / plane.distance;
+}
+
+/// Rays that fill a view of 65 by 51 degrees, and those they meet in the second view.
+std::vector<RayMatch> MatchesOf(const Eigen::Matrix3d& homography) {
+  std::vector<RayMatch> matches;
+  for (int y = -5; y <= 5; ++y) {
+    for (int x = -5; x <= 5; ++x) {
+      RayMatch match;
+      match.first = {0.128 * x, 0.096 * y};
+      match.second = (homography * match.first.homogeneous()).hnormalized();
+      match.sigma = 0.002;
+      matches.push_back(match);
+    }
+  }
+  return matches;
+}
+
+std::vector<PlanarMotion> Decompose(const Eigen::Matrix3d& homography) {
+  const std::vector<RayMatch> matches = MatchesOf(homography);
+  return DecomposeHomography(homography, matches, std::vector<char>(matches.size(), 1));
+}
+
+/// Whether one of the motions is the truth, in units of the plane's distance.
+bool HasTruth(const std::vector<PlanarMotion>& motions, const SE3& truth, const Plane& plane) {
+  for (const PlanarMotion& motion : motions) {
+    const Eigen::Vector3d t = truth.translation() / plane.distance;
+    if ((motion.normal_in_first - plane.normal).norm() < 1e-6 &&
+        (motion.second_from_first.translation() - t).norm() < 1e-6 &&
+        (motion.second_from_first.rotation() * truth.rotation().Inverse()).Angle() < 1e-6) {
+      return true;
+    }
+  }
+  return false;
+}
+
+class DecomposeHomographyTest : public ::testing::TestWithParam<Eigen::Vector3d> {};
+
+TEST_P(DecomposeHomographyTest, TheTruthIsAmongTheMotionsWhateverTheScaleAndSign) {
+  const SE3 truth(SO3::Exp({0.02, 0.1, -0.05}), GetParam());
+  const Plane plane{Eigen::Vector3d(-0.3, 0.1, 1).normalized(), 4};
+  const Eigen::Matrix3d homography = HomographyOf(truth, plane);
+  for (const double factor : {1.0, 0.2, -1.0, -3.0}) {
+    const std::vector<PlanarMotion> motions = Decompose(factor * homography);
+    EXPECT_GE(motions.size(), 1u);
+    EXPECT_LE(motions.size(), 2u);
+    EXPECT_TRUE(HasTruth(motions, truth, plane)) << factor;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Directions, DecomposeHomographyTest,
+                         ::testing::Values(Eigen::Vector3d(0.6, 0, 0), Eigen::Vector3d(0, -0.6, 0),
+                                           Eigen::Vector3d(0.1, 0.1, 1.2),
+                                           Eigen::Vector3d(0.4, -0.2, -0.5)));
+
+TEST(PlanarMotionTest, MovingSidewaysOnlyTheTruthLiesInFront) {
+  const Plane wall{Eigen::Vector3d::UnitZ(), 3};
+  EXPECT_EQ(Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall)).size(), 1u);
+}
+
+TEST(PlanarMotionTest, MovingAlongTheNormalBothAreOne) {
+  const Plane wall{Eigen::Vector3d::UnitZ(), 3};
+  EXPECT_EQ(Decompose(HomographyOf(SE3(SO3(), {0, 0, 0.5}), wall)).size(), 1u);
+}
+
+TEST(PlanarMotionTest, ARotationShowsNoPlane) {
+  const Plane wall{Eigen::Vector3d::UnitZ(), 3};
+  EXPECT_TRUE(Decompose(HomographyOf(SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0}), wall)).empty());
+}
+
+TEST(PlaneHypothesesTest, TheTwinIsRecognisedWhenTheMotionChangesDirection) {
+  const Plane plane{Eigen::Vector3d(0.3, 0, 1).normalized(), 3};
+  const SE3 first_step(SO3::Exp({0, 0.05, 0}), {0.1, 0, 0.6});
+  const SE3 second_step(SO3::Exp({0, 0.05, 0.1}), {-0.3, 0.3, 0.8});
+  const std::vector<PlanarMotion> first = Decompose(HomographyOf(first_step, plane));
+  ASSERT_EQ(first.size(), 2u);
+  PlaneHypotheses planes;
+  EXPECT_TRUE(planes.Keep(0, first).empty());
+  EXPECT_EQ(planes.Keep(0, first).size(), 2u);  // Nothing new: still ambiguous.
+  const std::vector<PlanarMotion> kept =
+      planes.Keep(0, Decompose(HomographyOf(second_step, plane)));
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_TRUE(HasTruth(kept, second_step, plane));
+}
+
+TEST(PlaneHypothesesTest, ANewReferenceStartsAgain) {
+  const Plane wall{Eigen::Vector3d::UnitZ(), 3};
+  const std::vector<PlanarMotion> motions = Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall));
+  PlaneHypotheses planes;
+  planes.Keep(0, motions);
+  EXPECT_TRUE(planes.Keep(1, motions).empty());
+  EXPECT_EQ(planes.Keep(1, motions).size(), 1u);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,166 @@
+#include "vo/geometry/two_view.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+/// Rays of the scene's points in two views, noise of `sigma_px` at f = 500 px; every
+/// `wrong_every`-th match is wrong.
+std::vector<RayMatch> MatchViews(const test::PointScene& scene, const SE3& first_from_second,
+                                 double sigma_px, int wrong_every, test::Random& random) {
+  constexpr double kFocal = 500;
+  std::vector<RayMatch> matches;
+  for (const Eigen::Vector3d& in_first : scene.in_world) {
+    const Eigen::Vector3d in_second = first_from_second.Inverse() * in_first;
+    RayMatch match;
+    match.first = in_first.hnormalized() + random.Vector<2>(sigma_px / kFocal);
+    match.second = in_second.hnormalized() + random.Vector<2>(sigma_px / kFocal);
+    match.sigma = 1 / kFocal;
+    if (wrong_every > 0 && matches.size() % wrong_every == 0) match.second += random.Vector<2>(0.5);
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+double DirectionErrorDeg(const SE3& estimate, const SE3& truth) {
+  const Eigen::Vector3d a = estimate.translation().normalized();
+  const Eigen::Vector3d b = truth.translation().normalized();
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
+class TwoViewMotionTest : public ::testing::TestWithParam<Eigen::Vector3d> {};
+
+TEST_P(TwoViewMotionTest, IsFoundAmongWrongMatches) {
+  test::Random random(1);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), GetParam());
+  const TwoViewResult result =
+      EstimateTwoViewMotion(MatchViews(scene, truth, 0.5, 4, random), InitializerOptions());
+  EXPECT_EQ(result.reason, Reason::kNone) << ToString(result.reason);
+  EXPECT_THAT(result.first_from_second.rotation(), test::IsRotationNear(truth.rotation(), 0.3));
+  EXPECT_LT(DirectionErrorDeg(result.first_from_second, truth), 3.0);
+  EXPECT_NEAR(result.first_from_second.translation().norm(), 1, 1e-9);
+  EXPECT_GT(result.points.size(), 200u);
+  const double scale = truth.translation().norm();
+  int num_near = 0;
+  for (const TwoViewPoint& point : result.points) {
+    const Eigen::Vector3d expected = scene.in_world[point.match] / scale;
+    num_near += (point.in_first - expected).norm() < 0.15 * expected.norm();
+  }
+  EXPECT_GT(num_near, 0.8 * static_cast<double>(result.points.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Directions, TwoViewMotionTest,
+                         ::testing::Values(Eigen::Vector3d(0.6, 0, 0), Eigen::Vector3d(0, 0.6, 0),
+                                           Eigen::Vector3d(0, 0, 1.2),
+                                           Eigen::Vector3d(0.4, -0.2, -0.5)));
+
+TEST(TwoViewTest, PureRotationIsSaid) {
+  test::Random random(2);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const SE3 truth(SO3::Exp({0.02, 0.15, -0.03}), Eigen::Vector3d::Zero());
+  const TwoViewResult result =
+      EstimateTwoViewMotion(MatchViews(scene, truth, 0.5, 5, random), InitializerOptions());
+  EXPECT_EQ(result.reason, Reason::kRotationOnly) << ToString(result.reason);
+  ASSERT_TRUE(result.first_from_second_rotation);
+  EXPECT_THAT(*result.first_from_second_rotation, test::IsRotationNear(truth.rotation(), 0.1));
+}
+
+TEST(TwoViewTest, FewMatchesTellARotationButNoMotion) {
+  test::Random random(8);
+  const test::PointScene scene = test::MakeBoxScene(60, 3, 15, random);
+  const SO3 turned = SO3::Exp({0.02, 0.15, -0.03});
+  const auto estimate = [&](const Eigen::Vector3d& translation) {
+    return EstimateTwoViewMotion(MatchViews(scene, SE3(turned, translation), 0.5, 5, random),
+                                 InitializerOptions());
+  };
+  const TwoViewResult still = estimate(Eigen::Vector3d::Zero());
+  ASSERT_TRUE(still.first_from_second_rotation);
+  EXPECT_THAT(*still.first_from_second_rotation, test::IsRotationNear(turned, 0.2));
+  const TwoViewResult moved = estimate(Eigen::Vector3d(0.6, 0, 0));
+  EXPECT_FALSE(moved.first_from_second_rotation);
+  EXPECT_EQ(moved.reason, Reason::kTooFewMatches) << ToString(moved.reason);
+}
+
+TEST(TwoViewTest, ARotationIsJudgedByTheParallaxItLeaves) {
+  test::Random random(9);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const SO3 turned = SO3::Exp({0.02, 0.15, -0.03});
+  double parallax_deg = 0;
+  for (const double moved : {0.0, 0.1, 0.4, 1.6}) {
+    const TwoViewResult result =
+        JudgeRotation(MatchViews(scene, SE3(turned, {moved, 0, 0}), 0.5, 0, random), {});
+    EXPECT_EQ(result.first_from_second_rotation.has_value(), moved < 0.2) << moved;
+    EXPECT_GT(result.parallax_deg, parallax_deg) << moved;
+    parallax_deg = result.parallax_deg;
+  }
+}
+
+TEST(TwoViewTest, StandingStillIsSaid) {
+  test::Random random(3);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const TwoViewResult result =
+      EstimateTwoViewMotion(MatchViews(scene, SE3(), 0.5, 5, random), InitializerOptions());
+  EXPECT_EQ(result.reason, Reason::kLowParallax) << ToString(result.reason);
+}
+
+TEST(TwoViewTest, PlaneIsSaid) {
+  test::Random random(4);
+  const test::PointScene scene = test::MakePlaneScene(400, 6, random);
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.8, 0.1, 0));
+  const TwoViewResult result =
+      EstimateTwoViewMotion(MatchViews(scene, truth, 0.5, 0, random), InitializerOptions());
+  EXPECT_EQ(result.reason, Reason::kPlanar) << ToString(result.reason);
+  ASSERT_FALSE(result.planar_motions.empty());
+}
+
+TEST(TwoViewTest, APlanarMotionIsTriangulated) {
+  test::Random random(4);
+  const test::PointScene scene = test::MakePlaneScene(400, 6, random);
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.8, 0.1, 0));
+  const auto matches = MatchViews(scene, truth, 0.5, 0, random);
+  const TwoViewResult result =
+      TriangulatePlanarMotion(matches, {truth.Inverse(), Eigen::Vector3d::UnitZ()}, {});
+  EXPECT_EQ(result.reason, Reason::kNone) << ToString(result.reason);
+  EXPECT_NEAR(result.first_from_second.translation().norm(), 1, 1e-9);
+  EXPECT_LT(DirectionErrorDeg(result.first_from_second, truth), 1e-6);
+  EXPECT_GT(result.points.size(), 300u);
+}
+
+TEST(TwoViewTest, UnrelatedViewsHaveNoMotion) {
+  test::Random random(5);
+  const test::PointScene scene = test::MakeBoxScene(200, 3, 15, random);
+  const SE3 truth(SO3(), Eigen::Vector3d(0.5, 0, 0));
+  EXPECT_NE(
+      EstimateTwoViewMotion(MatchViews(scene, truth, 0, 1, random), InitializerOptions()).reason,
+      Reason::kNone);
+}
+
+TEST(TwoViewTest, ScoresAreHighestForTheTruth) {
+  test::Random random(7);
+  const test::PointScene scene = test::MakePlaneScene(100, 5, random);
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.5, 0.1, 0.2));
+  const auto matches = MatchViews(scene, truth, 0, 0, random);
+  const SE3 second_from_first = truth.Inverse();
+  const Eigen::Matrix3d essential =
+      SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
+  // The plane n·x = d of MakePlaneScene: z - 0.3 x = 5. H = R + t nᵀ / d.
+  const Eigen::Matrix3d homography =
+      second_from_first.rotation().matrix() +
+      second_from_first.translation() * Eigen::RowVector3d(-0.3, 0, 1) / 5;
+  EXPECT_EQ(ScoreEssential(essential, matches).num_inliers, 100);
+  EXPECT_EQ(ScoreHomography(homography, matches).num_inliers, 100);
+  EXPECT_NEAR(ScoreEssential(essential, matches).score, ScoreHomography(homography, matches).score,
+              1e-6);
+  EXPECT_LT(ScoreEssential(Eigen::Matrix3d(essential.transpose()), matches).num_inliers, 50);
+}
+
+}  // namespace
+}  // namespace corvo

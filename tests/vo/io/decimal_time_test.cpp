@@ -1,0 +1,61 @@
+#include "vo/io/decimal_time.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "tests/support/matchers.h"
+
+namespace corvo {
+namespace {
+
+using test::ThrowsError;
+
+TEST(ParseSeconds, KeepsEveryDecimalOfLargeTimes) {
+  EXPECT_EQ(ParseSeconds("1305031229.528748", ""), 1305031229528748000);
+  EXPECT_EQ(ParseSeconds("1403636579.763555584", ""), 1403636579763555584);
+}
+
+TEST(ParseSeconds, ReadsExponents) {
+  EXPECT_EQ(ParseSeconds("0.000000e+00", ""), 0);
+  EXPECT_EQ(ParseSeconds("1.000000e-01", ""), 100000000);
+  EXPECT_EQ(ParseSeconds("2.990000e+01", ""), 29900000000);
+  EXPECT_EQ(ParseSeconds("1E3", ""), 1000000000000);
+}
+
+TEST(ParseSeconds, RoundsBeyondNanoseconds) {
+  EXPECT_EQ(ParseSeconds("0.0000000014", ""), 1);
+  EXPECT_EQ(ParseSeconds("0.0000000015", ""), 2);
+  EXPECT_EQ(ParseSeconds("1e-12", ""), 0);
+}
+
+TEST(ParseSeconds, ReadsSigns) {
+  EXPECT_EQ(ParseSeconds("-1.5", ""), -1500000000);
+  EXPECT_EQ(ParseSeconds("+.5", ""), 500000000);
+}
+
+TEST(ParseSeconds, RejectsWhatIsNoTime) {
+  for (const char* text : {"", "abc", "1.2.3", "1e", "1e999", "nan", "inf", "0x10", "1 2", "-",
+                           "99999999999999999999"}) {
+    EXPECT_THAT([&] { ParseSeconds(text, "times.txt:7: "); },
+                ThrowsError("times.txt:7: '" + std::string(text) + "'"));
+  }
+}
+
+TEST(FormatSeconds, HasNineDecimalsAndIsReadBackExactly) {
+  EXPECT_EQ(FormatSeconds(0), "0.000000000");
+  EXPECT_EQ(FormatSeconds(-500000000), "-0.500000000");
+  EXPECT_EQ(FormatSeconds(1403636579763555584), "1403636579.763555584");
+  for (const TimeNs time_ns : {-1LL, 1LL, 999999999LL, -1000000001LL, 9223372036854775807LL}) {
+    EXPECT_EQ(ParseSeconds(FormatSeconds(time_ns), ""), time_ns);
+  }
+}
+
+TEST(ParseNanoseconds, IsExact) {
+  EXPECT_EQ(ParseNanoseconds("1403636579763555584", ""), 1403636579763555584);
+  EXPECT_THAT([] { ParseNanoseconds("1.5", "t: "); }, ThrowsError("t: '1.5'"));
+  EXPECT_THAT([] { ParseNanoseconds("", "t: "); }, ThrowsError("t: ''"));
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,166 @@
+#include "vo/map/frame_history.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/matchers.h"
+
+namespace corvo {
+namespace {
+
+class FrameRecordsTest : public ::testing::Test {
+ protected:
+  FrameRecordsTest() {
+    for (int i = 0; i < 8; ++i) {
+      FrameOutcome outcome;
+      outcome.index = i;
+      outcome.state = State::kRotationOnly;
+      records_.Add(outcome);
+    }
+    AddKeyframe(0, 0, pose_);
+  }
+
+  KeyframeId AddKeyframe(int frame, int segment, const SE3& world_from_camera) {
+    Frame keyframe;
+    keyframe.index = frame;
+    keyframe.world_from_camera = world_from_camera;
+    const KeyframeId id = map_.AddKeyframe(keyframe, segment);
+    records_.AddKeyframe(frame, id, map_);
+    return id;
+  }
+
+  void ExpectPose(int frame, const SE3& world_from_camera) const {
+    EXPECT_THAT(records_.PoseOf(frame, map_), test::IsPoseNear(world_from_camera, 1e-9, 1e-9));
+  }
+
+  /// Ahead of the first keyframe.
+  SE3 Ahead(double distance) const { return pose_ * SE3(SO3(), {0, 0, distance}); }
+
+  const SO3 turn_ = SO3::Exp({0.1, -0.2, 0.05});
+  const SE3 pose_{SO3::Exp({0, 0.4, 0}), {1, 2, 3}};
+  Map map_;
+  FrameRecords records_;
+};
+
+TEST_F(FrameRecordsTest, NothingIsKnownOfANewFrame) {
+  const FrameResult result = records_.ResultOf(1, map_);
+  EXPECT_FALSE(result.world_from_camera);
+  EXPECT_FALSE(result.world_from_camera_rotation);
+}
+
+TEST_F(FrameRecordsTest, APoseMovesWithTheOnlyKeyframe) {
+  const SE3 keyframe_from_camera = SE3::Exp(SE3::Tangent::Constant(0.1));
+  records_.SetPose(1, 0, pose_ * keyframe_from_camera, map_);
+  map_.SetPose(0, SE3());
+  const FrameResult result = records_.ResultOf(1, map_);
+  EXPECT_THAT(*result.world_from_camera, test::IsPoseNear(keyframe_from_camera, 1e-9, 1e-9));
+  EXPECT_THAT(*result.world_from_camera_rotation,
+              test::IsRotationNear(keyframe_from_camera.rotation(), 1e-9));
+}
+
+TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesWithBoth) {
+  records_.SetPose(1, 0, Ahead(1), map_);
+  AddKeyframe(4, 0, Ahead(4));
+  records_.SetPose(2, 0, Ahead(2), map_);
+  ExpectPose(1, Ahead(1));
+  map_.SetPose(1, Ahead(4.8));
+  ExpectPose(1, Ahead(1.2));
+  ExpectPose(2, Ahead(2.4));
+  map_.SetPose(0, Ahead(0.8));
+  ExpectPose(1, Ahead(1.8));
+  ExpectPose(2, Ahead(2.8));
+}
+
+TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
+  const SE3 pose = pose_ * SE3::Exp(SE3::Tangent::Constant(0.2));
+  records_.SetPose(1, 0, pose, map_);
+  AddKeyframe(2, 0, pose_ * SE3::Exp(SE3::Tangent::Constant(0.3)));
+  const SE3 move(turn_, {3, -1, 2});
+  map_.SetPose(0, move * map_.WorldFromKeyframe(0));
+  map_.SetPose(1, move * map_.WorldFromKeyframe(1));
+  ExpectPose(1, move * pose);
+}
+
+TEST_F(FrameRecordsTest, WhereTheFirstKeyframeStandsAPoseMovesWithItAlone) {
+  records_.SetPose(1, 0, pose_, map_);
+  AddKeyframe(2, 0, Ahead(4));
+  map_.SetPose(1, Ahead(5));
+  ExpectPose(1, pose_);
+}
+
+TEST_F(FrameRecordsTest, BeforeTheFirstKeyframeOfASegmentAPoseMovesWithItAlone) {
+  AddKeyframe(4, 1, Ahead(4));
+  AddKeyframe(6, 1, Ahead(6));
+  records_.SetPose(2, 1, Ahead(2), map_);
+  map_.SetPose(2, Ahead(7));
+  ExpectPose(2, Ahead(2));
+  map_.SetPose(1, Ahead(5));
+  ExpectPose(2, Ahead(3));
+}
+
+TEST_F(FrameRecordsTest, SegmentsDoNotMoveEachOther) {
+  records_.SetPose(1, 0, Ahead(1), map_);
+  AddKeyframe(2, 1, Ahead(2));
+  map_.SetPose(1, Ahead(8));
+  ExpectPose(1, Ahead(1));
+}
+
+TEST_F(FrameRecordsTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
+  records_.SetPose(1, 0, Ahead(1), map_);
+  AddKeyframe(2, 0, Ahead(2));
+  records_.SetPose(3, 0, Ahead(3), map_);
+  AddKeyframe(4, 0, Ahead(4));
+  map_.SetPose(1, Ahead(2.2));
+  map_.RetireKeyframe(1, 0);
+  records_.RemoveKeyframe(1, map_);
+  ExpectPose(1, Ahead(1.1));
+  ExpectPose(2, Ahead(2.2));
+  ExpectPose(3, Ahead(3.1));
+  map_.SetPose(2, Ahead(8));
+  ExpectPose(1, Ahead(2.2));
+  ExpectPose(2, Ahead(4.4));
+  ExpectPose(3, Ahead(6.2));
+}
+
+TEST_F(FrameRecordsTest, RotationsAreChainedToAPosedFrame) {
+  records_.SetRotation(1, 0, turn_);
+  records_.SetRotation(2, 1, turn_);
+  const FrameResult result = records_.ResultOf(2, map_);
+  EXPECT_FALSE(result.world_from_camera);
+  EXPECT_THAT(*result.world_from_camera_rotation,
+              test::IsRotationNear(pose_.rotation() * turn_ * turn_, 1e-9));
+}
+
+TEST_F(FrameRecordsTest, RotationsAreChainedToTheBeginning) {
+  records_.SetRotation(1, 1, SO3());
+  records_.SetRotation(2, 1, turn_);
+  EXPECT_THAT(*records_.RotationOf(2, map_), test::IsRotationNear(turn_, 1e-9));
+}
+
+TEST_F(FrameRecordsTest, APoseTakesThePlaceOfARotation) {
+  records_.SetRotation(1, 1, turn_);
+  records_.SetPose(1, 0, Ahead(1), map_);
+  EXPECT_THAT(*records_.ResultOf(1, map_).world_from_camera,
+              test::IsPoseNear(Ahead(1), 1e-9, 1e-9));
+  EXPECT_THAT(*records_.RotationOf(1, map_), test::IsRotationNear(pose_.rotation(), 1e-9));
+}
+
+TEST_F(FrameRecordsTest, AFrameIsAKeyframeOfTheSegmentThatPosesItFirst) {
+  AddKeyframe(4, 0, Ahead(4));
+  records_.SetPose(2, 0, Ahead(2), map_);
+  AddKeyframe(2, 1, Ahead(8));
+  EXPECT_TRUE(records_.outcome(4).is_keyframe);
+  EXPECT_FALSE(records_.outcome(2).is_keyframe);
+  ExpectPose(2, Ahead(2));
+}
+
+TEST_F(FrameRecordsTest, AFrameTakesAtMost200Bytes) {
+  EXPECT_LE(records_.num_bytes(), 200u * static_cast<std::size_t>(records_.size()));
+}
+
+TEST_F(FrameRecordsTest, ABrokenChainTellsNothing) {
+  records_.SetRotation(3, 2, turn_);
+  EXPECT_FALSE(records_.RotationOf(3, map_));
+}
+
+}  // namespace
+}  // namespace corvo

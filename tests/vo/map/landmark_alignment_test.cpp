@@ -1,0 +1,123 @@
+#include "vo/map/landmark_alignment.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "orb/extractor.h"
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+constexpr double kDepth = 4;
+
+/// A picture of a wall at z = kDepth, painted with blobs.
+cv::Mat Film(const Camera& camera, const SE3& world_from_camera) {
+  cv::Mat picture(camera.height(), camera.width(), CV_8UC1);
+  const Eigen::Vector3d centre = world_from_camera.translation();
+  for (int v = 0; v < picture.rows; ++v) {
+    for (int u = 0; u < picture.cols; ++u) {
+      const Eigen::Vector3d ray =
+          world_from_camera.rotation() * camera.Undistort(Eigen::Vector2d(u, v))->homogeneous();
+      const Eigen::Vector3d wall = centre + (kDepth - centre.z()) / ray.z() * ray;
+      const double grey = 128 + 50 * std::sin(23 * wall.x()) * std::cos(19 * wall.y() + wall.x()) +
+                          40 * std::sin(11 * wall.x() - 13 * wall.y());
+      picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(grey);
+    }
+  }
+  return picture;
+}
+
+Frame Photograph(const orb::Extractor& extractor, const Camera& camera, const SE3& pose) {
+  orb::Features features;
+  std::vector<orb::Patch> patches;
+  extractor.Extract(Film(camera, pose), cv::Mat(), features, patches);
+  Frame frame = MakeFrame(0, 0, std::move(features), camera, std::move(patches));
+  frame.world_from_camera = pose;
+  return frame;
+}
+
+/// Where the wall is seen at a pixel of a frame.
+Eigen::Vector3d OnWall(const Frame& frame, int k) {
+  const Eigen::Vector3d ray = frame.world_from_camera.rotation() * frame.rays[k].homogeneous();
+  const Eigen::Vector3d& centre = frame.world_from_camera.translation();
+  return centre + (kDepth - centre.z()) / ray.z() * ray;
+}
+
+/// Nearest keypoint of the same octave; kNoId if none is within 2 px of the level.
+int FindKeypoint(const Frame& frame, const Eigen::Vector2d& pixel, int octave, double scale) {
+  int nearest = kNoId;
+  double least = 2 * scale;
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    const double distance = (frame.detected_pixel(k) - pixel).norm();
+    if (frame.keypoint(k).octave != octave || distance > least) continue;
+    nearest = k;
+    least = distance;
+  }
+  return nearest;
+}
+
+TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
+  const Camera camera = test::PinholeCamera();
+  const orb::Extractor extractor;
+  const std::vector<double>& scales = extractor.octave_scales();
+  const SE3 second_pose(SO3::Exp({0.01, -0.03, 0.06}), {0.15, -0.05, 0.1});
+  Map map;
+  map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
+  map.AddKeyframe(Photograph(extractor, camera, second_pose), 0);
+  const Frame& first = map.keyframe(0).frame;
+  const Frame& second = map.keyframe(1).frame;
+  double squared_before = 0, squared_after = 0;
+  int num_seen = 0, num_aligned = 0;
+  for (int k = 0; k < first.num_keypoints(); ++k) {
+    const Eigen::Vector3d point = OnWall(first, k);
+    const Eigen::Vector2d expected = *camera.Project(second_pose.Inverse() * point);
+    const int octave = first.keypoint(k).octave;
+    const int seen = FindKeypoint(second, expected, octave, scales[octave]);
+    if (seen == kNoId || second.landmarks[seen] != kNoId) continue;
+    ++num_seen;
+    const LandmarkId id = map.AddLandmark(point, {{0, k}, {1, seen}});
+    const double before = (second.pixel(seen) - expected).norm() / scales[octave];
+    if (!AlignObservation(id, {1, seen}, camera, scales, map)) continue;
+    ++num_aligned;
+    squared_before += before * before;
+    squared_after +=
+        (second.pixel(seen) - expected).squaredNorm() / (scales[octave] * scales[octave]);
+    EXPECT_THAT(second.rays[seen],
+                test::IsMatrixNear(*camera.Undistort(second.pixel(seen)), 1e-12));
+  }
+  ASSERT_GT(num_seen, 100);
+  EXPECT_GT(num_aligned, 0.7 * num_seen);
+  EXPECT_LT(std::sqrt(squared_after), 0.25 * std::sqrt(squared_before));
+}
+
+TEST(LandmarkAlignmentTest, TheReferenceStays) {
+  const Camera camera = test::PinholeCamera();
+  const orb::Extractor extractor;
+  Map map;
+  map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
+  map.AddKeyframe(Photograph(extractor, camera, SE3(SO3(), {0.1, 0, 0})), 0);
+  const LandmarkId id = map.AddLandmark(OnWall(map.keyframe(0).frame, 5), {{0, 5}, {1, 5}});
+  EXPECT_FALSE(AlignObservation(id, {0, 5}, camera, extractor.octave_scales(), map));
+  EXPECT_EQ(map.keyframe(0).frame.pixel(5), map.keyframe(0).frame.detected_pixel(5));
+}
+
+TEST(LandmarkAlignmentTest, WithoutPatchesNothingMoves) {
+  test::Random random(1);
+  const test::PointScene scene = test::MakeBoxScene(50, 3, 8, random);
+  const std::vector<test::SceneView> views = {
+      test::ObserveScene(scene, test::PinholeCamera(), SE3(), 0, random),
+      test::ObserveScene(scene, test::PinholeCamera(), SE3(SO3(), {0.2, 0, 0}), 0, random)};
+  const KeypointNoise noise = test::MakeNoise();
+  const Map map = test::MakeMap(scene, views, noise);
+  Frame frame = map.keyframe(1).frame;
+  const std::vector<Eigen::Vector2d> pixels = frame.pixels;
+  AlignKeypoints(map, test::PinholeCamera(), noise.octave_scales, frame);
+  EXPECT_EQ(frame.pixels, pixels);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,77 @@
+#include "vo/mapping/culling.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/vo/mapping/mapping_fixture.h"
+
+namespace corvo {
+namespace {
+
+using CullingTest = test::MappingTest;
+
+TEST_F(CullingTest, LandmarksThatAreNotFoundAreCulled) {
+  MakeViews(3, 200);
+  std::vector<LandmarkId> recent = {0, 1};
+  for (int i = 0; i < 40; ++i) map_.CountVisible(0);
+  CullLandmarks(map_, options_, recent);
+  EXPECT_EQ(map_.FindLandmark(0), nullptr);
+  EXPECT_NE(map_.FindLandmark(1), nullptr);
+}
+
+TEST_F(CullingTest, LandmarksMustBeSeenByAThirdKeyframeInTime) {
+  MakeViews(3, 200);
+  const LandmarkId twice = map_.AddLandmark({0, 0, 5}, {{0, views_[0].frame.num_keypoints() - 1},
+                                                        {1, views_[1].frame.num_keypoints() - 1}});
+  std::vector<LandmarkId> recent = {0, twice};
+  CullLandmarks(map_, options_, recent);
+  EXPECT_THAT(recent, ::testing::ElementsAre(0, twice));
+  map_.AddKeyframe(Frame(), 0);
+  map_.AddKeyframe(Frame(), 0);
+  CullLandmarks(map_, options_, recent);
+  EXPECT_EQ(map_.FindLandmark(twice), nullptr);
+  EXPECT_THAT(recent, ::testing::ElementsAre(0));
+  map_.AddKeyframe(Frame(), 0);
+  CullLandmarks(map_, options_, recent);
+  EXPECT_TRUE(recent.empty());
+  EXPECT_NE(map_.FindLandmark(0), nullptr);
+}
+
+TEST_F(CullingTest, RedundantKeyframesAreRetiredButNeverTheFirstOrTheNewest) {
+  for (int i = 0; i < 6; ++i) {
+    views_.push_back(test::ObserveScene(scene_, camera_, SE3(), 0.2, random_));
+  }
+  map_ = test::MakeMap(scene_, views_, noise_);
+  CullKeyframes(map_, 5, options_);
+  EXPECT_TRUE(map_.IsKept(0));
+  EXPECT_TRUE(map_.IsKept(5));
+  EXPECT_FALSE(map_.IsKept(1));
+  EXPECT_GE(map_.KeptKeyframes().size(), 3u);  // Three others must see what is redundant.
+}
+
+TEST_F(CullingTest, NeededKeyframesStay) {
+  MakeViews(3, 400);
+  CullKeyframes(map_, 2, options_);
+  EXPECT_EQ(map_.KeptKeyframes().size(), 3u);
+}
+
+TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
+  step_ = 0;
+  MakeViews(5, 0);
+  const LandmarkId old = map_.AddLandmark({0, 0, 5}, {{0, 0}, {2, 0}});
+  const LandmarkId shared = map_.AddLandmark({0, 0, 5}, {{1, 1}, {4, 1}});
+  const LandmarkId recent = map_.AddLandmark({0, 0, 5}, {{3, 2}, {4, 2}});
+  EXPECT_TRUE(ArchiveKeyframes(map_, 5).empty());
+  EXPECT_EQ(map_.KeptKeyframes().size(), 5u);
+  const std::vector<FinishedLandmark> finished = ArchiveKeyframes(map_, 2);
+  EXPECT_THAT(map_.KeptKeyframes(), ::testing::ElementsAre(1, 3, 4));
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].id, old);
+  EXPECT_NE(map_.FindLandmark(shared), nullptr);
+  EXPECT_NE(map_.FindLandmark(recent), nullptr);
+  EXPECT_TRUE(ArchiveKeyframes(map_, 2).empty());
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,163 @@
+#include "vo/offline/focal_search.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "orb/error.h"
+#include "tests/support/data.h"
+#include "tests/support/point_scene.h"
+#include "vo/lie/se3.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+
+/// How a scene is seen by pairs of pictures.
+struct Film {
+  double focal = 500;
+  double noise_px = 0;
+  int wrong_every = 0;  ///< Of so many matches one is wrong; 0: none.
+  bool is_plane = false;
+  int num_pairs = 8;
+  std::function<SE3(test::Random&)> first_from_second;
+};
+
+SE3 TurnAndMove(test::Random& random) {
+  return SE3(SO3::Exp(random.Vector<3>(0.15)), random.Vector<3>(0.8));
+}
+
+SE3 Turn(test::Random& random) { return SE3(SO3::Exp(random.Vector<3>(0.2)), {0, 0, 0}); }
+
+SE3 MoveForward(test::Random& random) { return SE3(SO3(), {0, 0, random.Uniform(0.3, 0.8)}); }
+
+SE3 MoveAside(test::Random& random) { return SE3(SO3(), {random.Uniform(0.3, 0.8), 0.1, 0}); }
+
+PixelMatches MatchViews(const Film& film, test::Random& random) {
+  const Camera camera({.width = kWidth,
+                       .height = kHeight,
+                       .fx = film.focal,
+                       .fy = film.focal,
+                       .cx = 0.5 * (kWidth - 1),
+                       .cy = 0.5 * (kHeight - 1)});
+  const test::PointScene scene =
+      film.is_plane ? test::MakePlaneScene(600, 6, random) : test::MakeBoxScene(600, 3, 12, random);
+  const SE3 second_from_first = film.first_from_second(random).Inverse();
+  PixelMatches matches;
+  for (const Eigen::Vector3d& in_first : scene.in_world) {
+    const auto first = camera.Project(in_first);
+    const auto second = camera.Project(second_from_first * in_first);
+    if (!first || !second || !camera.Contains(*first) || !camera.Contains(*second)) continue;
+    PixelMatch match{*first, *second, 1};
+    for (double& u : match.first) u += random.Gaussian(film.noise_px);
+    for (double& u : match.second) u += random.Gaussian(film.noise_px);
+    if (film.wrong_every > 0 && matches.size() % film.wrong_every == 0) {
+      match.second = {random.Uniform(0, kWidth), random.Uniform(0, kHeight)};
+    }
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+FocalSearchResult Search(const Film& film, int seed = 1) {
+  test::Random random(seed);
+  std::vector<PixelMatches> pairs;
+  for (int i = 0; i < film.num_pairs; ++i) pairs.push_back(MatchViews(film, random));
+  return SearchFocal(pairs, kWidth, kHeight);
+}
+
+class FocalSearchTest : public ::testing::TestWithParam<double> {};
+
+TEST_P(FocalSearchTest, IsExactWithoutNoise) {
+  CORVO_SKIP_IF_SHORT();
+  const FocalSearchResult result = Search({.focal = GetParam(), .first_from_second = TurnAndMove});
+  EXPECT_TRUE(result.is_determined);
+  EXPECT_EQ(result.num_pairs, 8);
+  EXPECT_NEAR(result.camera.fx / GetParam(), 1, 0.01);
+}
+
+TEST_P(FocalSearchTest, TellsItsErrorWithNoiseAndWrongMatches) {
+  CORVO_SKIP_IF_SHORT();
+  for (int seed = 1; seed <= 3; ++seed) {
+    const FocalSearchResult result = Search(
+        {.focal = GetParam(), .noise_px = 0.7, .wrong_every = 5, .first_from_second = TurnAndMove},
+        seed);
+    EXPECT_TRUE(result.is_determined) << result.focal_sigma;
+    const double error = std::abs(std::log(result.camera.fx / GetParam()));
+    EXPECT_LT(error, 0.04);
+    EXPECT_LT(error, 3.5 * result.focal_sigma);
+  }
+}
+
+TEST_P(FocalSearchTest, ARotationTellsIt) {
+  const FocalSearchResult result =
+      Search({.focal = GetParam(), .noise_px = 0.5, .wrong_every = 6, .first_from_second = Turn});
+  EXPECT_TRUE(result.is_determined) << result.focal_sigma;
+  EXPECT_NEAR(result.camera.fx / GetParam(), 1, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lenses, FocalSearchTest, ::testing::Values(280.0, 500.0, 900.0));
+
+TEST(FocalSearch, StraightMotionAndAPlaneDoNotTellIt) {
+  CORVO_SKIP_IF_SHORT();
+  for (const auto& motion : {MoveForward, MoveAside}) {
+    const FocalSearchResult straight = Search({.noise_px = 0.5, .first_from_second = motion});
+    EXPECT_FALSE(straight.is_determined) << straight.camera.fx << " " << straight.focal_sigma;
+    EXPECT_GT(straight.focal_sigma, 0.15);
+  }
+  const FocalSearchResult plane =
+      Search({.noise_px = 0.5, .is_plane = true, .first_from_second = TurnAndMove});
+  EXPECT_FALSE(plane.is_determined) << plane.camera.fx << " " << plane.focal_sigma;
+}
+
+TEST(FocalSearch, PairsThatTellNothingDoNotHideThoseThatDo) {
+  CORVO_SKIP_IF_SHORT();
+  test::Random random(3);
+  std::vector<PixelMatches> pairs;
+  for (int i = 0; i < 12; ++i) {
+    const bool turns = i % 3 == 0;
+    pairs.push_back(MatchViews(
+        {.noise_px = 0.5, .first_from_second = turns ? TurnAndMove : MoveForward}, random));
+  }
+  const FocalSearchResult result = SearchFocal(pairs, kWidth, kHeight);
+  EXPECT_TRUE(result.is_determined) << result.focal_sigma;
+  EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
+}
+
+TEST(FocalSearch, IsAPinholeInTheCentreAndTellsItsSweep) {
+  const FocalSearchResult result = Search({.num_pairs = 2, .first_from_second = TurnAndMove});
+  EXPECT_EQ(result.camera.cx, 319.5);
+  EXPECT_EQ(result.camera.cy, 239.5);
+  EXPECT_EQ(result.camera.fx, result.camera.fy);
+  EXPECT_EQ(result.camera.k1, 0);
+  ASSERT_GT(result.sweep.size(), 20u);
+  EXPECT_NEAR(result.sweep.front().fov_deg, 25, 1e-9);
+  EXPECT_NEAR(result.sweep.back().fov_deg, 120, 1e-9);
+}
+
+TEST(FocalSearch, WithoutMatchesTakesAnUsualLensAndSaysSo) {
+  for (const auto& pairs : {std::vector<PixelMatches>{}, std::vector<PixelMatches>(3)}) {
+    const FocalSearchResult result = SearchFocal(pairs, kWidth, kHeight);
+    EXPECT_EQ(result.num_pairs, 0);
+    EXPECT_FALSE(result.is_determined);
+    EXPECT_TRUE(std::isinf(result.focal_sigma));
+    EXPECT_NEAR(result.camera.fx, 457, 1);  // 70 degrees.
+  }
+  EXPECT_THROW(SearchFocal({}, 0, kHeight), Error);
+}
+
+TEST(FocalSearch, GivesTheSameBitsAgain) {
+  CORVO_SKIP_IF_SHORT();
+  const Film film = {.noise_px = 0.7, .wrong_every = 4, .first_from_second = TurnAndMove};
+  const FocalSearchResult once = Search(film);
+  const FocalSearchResult again = Search(film);
+  EXPECT_EQ(once.camera, again.camera);
+  EXPECT_EQ(once.focal_sigma, again.focal_sigma);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,59 @@
+#include "vo/offline/match_residuals.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+/// A map of true positions, seen by a camera that steps to the side.
+class ResidualsTest : public ::testing::Test {
+ protected:
+  Map MakeMap(double sigma_px) {
+    test::Random random(1);
+    const test::PointScene scene = test::MakeBoxScene(400, 4, 12, random);
+    std::vector<test::SceneView> views;
+    for (int i = 0; i < 4; ++i) {
+      const SE3 world_from_camera(SO3(), Eigen::Vector3d(0.3 * i, 0, 0));
+      views.push_back(
+          test::ObserveScene(scene, test::PinholeCamera(), world_from_camera, sigma_px, random));
+    }
+    return test::MakeMap(scene, views, noise_);
+  }
+
+  std::optional<MatchResiduals> Measure(const Map& map, const Camera& camera) const {
+    return MeasureResiduals(map, camera, noise_.octave_scales);
+  }
+
+  KeypointNoise noise_ = test::MakeNoise();
+};
+
+TEST_F(ResidualsTest, AreTheNoiseOfThePixels) {
+  const auto residuals = Measure(MakeMap(0.8), test::PinholeCamera());
+  ASSERT_TRUE(residuals);
+  EXPECT_GT(residuals->num_matches, 500);
+  EXPECT_NEAR(residuals->median_px, 0.8 * 1.177, 0.08);  // Rayleigh: sigma sqrt(2 ln 2).
+  EXPECT_FALSE(IsImplausible(*residuals));
+}
+
+TEST_F(ResidualsTest, OfAnotherCameraAreImplausible) {
+  CameraParameters other = test::PinholeCamera().parameters();
+  other.fx *= 1.05;
+  other.fy *= 1.05;
+  const auto residuals = Measure(MakeMap(0.8), Camera(other));
+  ASSERT_TRUE(residuals);
+  EXPECT_GT(residuals->median_px, 4);
+  EXPECT_TRUE(IsImplausible(*residuals));
+}
+
+TEST_F(ResidualsTest, AnEmptyMapHasNone) { EXPECT_FALSE(Measure(Map(), test::PinholeCamera())); }
+
+TEST_F(ResidualsTest, FewMatchesProveNothing) {
+  EXPECT_FALSE(IsImplausible({99, 5}));
+  EXPECT_TRUE(IsImplausible({100, 2.1}));
+  EXPECT_FALSE(IsImplausible({100, 2}));
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,223 @@
+#include "vo/offline/refiner.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+#include "tests/vo/two_walls.h"
+
+namespace corvo {
+namespace {
+
+constexpr TimeNs kFrameTime = 100'000'000;
+
+/// An odometry and what it told.
+struct Recorded {
+  explicit Recorded(const OdometryOptions& options = {},
+                    const Camera& camera = test::PinholeCamera())
+      : odometry(camera, options) {
+    odometry.SetSightingsSink([this](const FrameSightings& seen) { told.push_back(seen); });
+  }
+  Recorded(const Recorded&) = delete;
+  Recorded& operator=(const Recorded&) = delete;
+
+  void Drive(int num_frames, std::uint64_t seed) { Drive(test::MakeDrive(num_frames, seed)); }
+
+  void Drive(const std::vector<cv::Mat>& pictures) {
+    for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
+    odometry.Finish();
+  }
+
+  SightingsSource Source() const {
+    return [this](const SightingsSink& visit) {
+      for (const FrameSightings& seen : told) visit(seen);
+    };
+  }
+
+  Odometry odometry;
+  std::vector<FrameSightings> told;
+  TimeNs time_ns = 0;
+};
+
+/// Of the posed frames from an even drive along x, as shares of a step.
+double DriveError(const Trajectory& trajectory) {
+  const PoseSequence poses = trajectory.PosedFrames();
+  const auto position = [&](std::size_t i) { return poses[i].world_from_camera.translation(); };
+  const auto last = poses.size() - 1;
+  const Eigen::Vector3d step = (position(last) - position(0)) / static_cast<double>(last);
+  double sum = 0;
+  for (std::size_t i = 0; i <= last; ++i) {
+    sum += (position(i) - position(0) - static_cast<double>(i) * step).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(last)) / step.norm();
+}
+
+void ExpectSamePoses(const Trajectory& a, const Trajectory& b) {
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t i = 0; i < a.frames.size(); ++i) {
+    EXPECT_EQ(a.frames[i].world_from_camera, b.frames[i].world_from_camera) << i;
+  }
+}
+
+TEST(RefinerTest, LowersTheCostAndAccountsForEveryFrame) {
+  Recorded recorded;
+  recorded.Drive(40, 1);
+  const Trajectory plain = recorded.odometry.GetTrajectory();
+  const Refinement refined = Refine(recorded.odometry, recorded.Source());
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_LT(refined.adjustment.final_cost, refined.adjustment.initial_cost);
+  EXPECT_LT(DriveError(refined.trajectory), 1.1 * DriveError(plain));
+  EXPECT_GT(refined.landmarks.size(), 100u);
+  int num_posed = 0;
+  for (std::size_t i = 0; i < plain.frames.size(); ++i) {
+    const auto& before = plain.frames[i].world_from_camera;
+    const auto& after = refined.trajectory.frames[i].world_from_camera;
+    ASSERT_EQ(before.has_value(), after.has_value());
+    if (!after) continue;
+    ++num_posed;
+    EXPECT_EQ(after->rotation(), *refined.trajectory.frames[i].world_from_camera_rotation);
+    EXPECT_THAT(*after, test::IsPoseNear(*before, 1.0, 0.1 * plain.frames.size()));
+  }
+  EXPECT_EQ(refined.num_adjusted + refined.num_placed + refined.num_moved, num_posed);
+  EXPECT_GT(refined.num_placed, 0);
+  EXPECT_EQ(refined.num_moved, 0);
+}
+
+TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
+  Recorded recorded;
+  recorded.Drive(40, 1);
+  RefinerOptions options;
+  options.sequence.frames_between = 0;
+  const int num_keyframes = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
+  EXPECT_EQ(num_keyframes, static_cast<int>(recorded.odometry.map().KeptKeyframes().size()));
+  options.sequence.frames_between = 1;
+  const int num_more = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
+  EXPECT_GT(num_more, num_keyframes);
+  EXPECT_LE(num_more, 2 * num_keyframes + 1);
+  options.sequence.frames_between = 9;
+  options.sequence.max_frames = 2 * num_keyframes;
+  EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_more);
+  options.sequence.max_frames = num_keyframes;
+  EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_keyframes);
+}
+
+TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
+  const std::vector<cv::Mat> drive = test::MakeLongDrive(150);
+  OdometryOptions options;
+  options.calibration.enabled = false;  // What tells the camera may have left.
+  Recorded everything(options, test::LongDriveCamera());
+  everything.Drive(drive);
+  options.relocalizer.max_keyframes = 8;
+  Recorded newest(options, test::LongDriveCamera());
+  newest.Drive(drive);
+  std::set<KeyframeId> left;
+  for (const FrameSightings& seen : newest.told) {
+    if (seen.keyframe == kNoId) continue;
+    if (!newest.odometry.map().IsKept(seen.keyframe)) left.insert(seen.keyframe);
+    EXPECT_EQ(seen.in_world.size(), seen.landmarks.size());
+  }
+  ASSERT_GT(left.size(), 5u);
+  const Refinement all = Refine(everything.odometry, everything.Source());
+  const Refinement some = Refine(newest.odometry, newest.Source());
+  ASSERT_EQ(some.adjustment.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(some.num_adjusted, all.num_adjusted);
+  EXPECT_NEAR(some.adjustment.num_sightings, all.adjustment.num_sightings,
+              0.01 * all.adjustment.num_sightings);
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const auto& expected = all.trajectory.frames[i].world_from_camera;
+    if (!expected) continue;
+    EXPECT_THAT(*some.trajectory.frames[i].world_from_camera,
+                test::IsPoseNear(*expected, 0.01, 0.01))
+        << i;
+  }
+}
+
+TEST(RefinerTest, MergedLandmarksAreOne) {
+  Recorded recorded;
+  recorded.Drive(40, 1);
+  std::set<LandmarkId> merged;
+  for (const FrameSightings& seen : recorded.told) {
+    for (const LandmarkMerge& merge : seen.merges) {
+      EXPECT_TRUE(merged.insert(merge.from).second) << "merged twice";
+      EXPECT_EQ(merged.count(merge.into), 0u) << "into what is no more";
+    }
+  }
+  ASSERT_FALSE(merged.empty());
+  for (const FinishedLandmark& landmark : Refine(recorded.odometry, recorded.Source()).landmarks) {
+    EXPECT_EQ(merged.count(landmark.id), 0u);
+  }
+}
+
+TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
+  Recorded recorded;
+  recorded.Drive(15, 7);
+  recorded.time_ns += 2'000'000'000;
+  recorded.Drive(15, 20);
+  const Trajectory plain = recorded.odometry.GetTrajectory();
+  std::set<int> segments;
+  for (const FrameResult& frame : plain.frames) {
+    if (frame.world_from_camera) segments.insert(frame.segment);
+  }
+  ASSERT_EQ(segments.size(), 2u);
+  const Refinement refined = Refine(recorded.odometry, recorded.Source());
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  for (const int segment : segments) {
+    for (std::size_t i = 0; i < plain.frames.size(); ++i) {
+      const FrameResult& frame = plain.frames[i];
+      if (frame.segment != segment || !frame.world_from_camera || !frame.is_keyframe) continue;
+      EXPECT_THAT(*refined.trajectory.frames[i].world_from_camera,
+                  test::IsPoseNear(*frame.world_from_camera, 1e-6, 1e-9))
+          << "the oldest keyframe of segment " << segment;
+      break;
+    }
+  }
+}
+
+TEST(RefinerTest, FallsBackToThePlainTrajectory) {
+  Recorded recorded;
+  recorded.Drive(20, 1);
+  FrameSightings broken{1000, 0, 0, {}, {}, {}};
+  for (LandmarkId id = 0; id < 50; ++id) {
+    broken.landmarks.push_back({id, {std::numeric_limits<float>::quiet_NaN(), 0}, 1});
+    broken.in_world.emplace_back(0, 0, 5);
+  }
+  recorded.told.push_back(broken);
+  const Refinement refined = Refine(recorded.odometry, recorded.Source());
+  EXPECT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kSolverFailed);
+  EXPECT_EQ(refined.adjustment.camera, recorded.odometry.camera().parameters());
+  ExpectSamePoses(refined.trajectory, recorded.odometry.GetTrajectory());
+  const Recorded nothing;
+  EXPECT_EQ(Refine(nothing.odometry, nothing.Source()).adjustment.outcome,
+            AdjustmentOutcome::kNoSightings);
+}
+
+TEST(RefinerTest, GivesTheSameBitsTwice) {
+  const auto refine = [] {
+    Recorded recorded;
+    recorded.Drive(20, 1);
+    return Refine(recorded.odometry, recorded.Source());
+  };
+  const Refinement first = refine(), second = refine();
+  ExpectSamePoses(first.trajectory, second.trajectory);
+  EXPECT_EQ(first.adjustment.camera, second.adjustment.camera);
+  EXPECT_EQ(first.adjustment.covariance, second.adjustment.covariance);
+}
+
+TEST(RefinerTest, ACameraTakenAsExactStays) {
+  OdometryOptions options;
+  options.calibration.enabled = false;
+  Recorded recorded(options);
+  recorded.Drive(20, 1);
+  EXPECT_EQ(PriorOf(recorded.odometry).num_free(), 0);
+  const Refinement refined = Refine(recorded.odometry, recorded.Source());
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(refined.adjustment.camera, test::PinholeCamera().parameters());
+}
+
+}  // namespace
+}  // namespace corvo

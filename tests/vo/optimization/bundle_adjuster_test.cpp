@@ -1,0 +1,161 @@
+#include "vo/optimization/bundle_adjuster.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// `num_views` views along x, a step of 0.3 apart, of the same box of points.
+struct Path {
+  test::PointScene scene;
+  std::vector<test::SceneView> views;
+};
+
+Path MakePath(int num_views, double sigma_px, test::Random& random) {
+  Path path;
+  path.scene = test::MakeBoxScene(300, 3, 12, random);
+  for (int i = 0; i < num_views; ++i) {
+    const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), Eigen::Vector3d(0.3 * i, 0, 0));
+    path.views.push_back(
+        test::ObserveScene(path.scene, test::PinholeCamera(), pose, sigma_px, random));
+  }
+  return path;
+}
+
+/// Displaces all keyframes but the first `num_kept`, and all landmarks.
+void Disturb(Map& map, int num_kept, test::Random& random) {
+  for (KeyframeId id = num_kept; id < map.num_keyframes(); ++id) {
+    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
+  }
+  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
+    map.SetPosition(id, map.FindLandmark(id)->in_world + random.Vector<3>(0.05));
+  }
+}
+
+struct Adjusted {
+  AdjustmentResult result;
+  std::vector<Observation> outliers;
+};
+
+Adjusted AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
+  BundleAdjusterOptions options;
+  options.max_keyframes = max_keyframes;
+  options.max_iterations = 50;
+  Bundle bundle = CopyBundle(map, SelectWindow(map, newest, options), test::MakeNoise());
+  const AdjustmentResult result = AdjustBundle(test::PinholeCamera(), options, bundle);
+  return {result, WriteBack(bundle, map)};
+}
+
+TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
+  test::Random random(1);
+  const Path path = MakePath(6, 0, random);
+  const Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  BundleAdjusterOptions options;
+  options.max_keyframes = 3;
+  const AdjustmentWindow window = SelectWindow(map, 5, options);
+  EXPECT_THAT(window.moving, ElementsAre(3, 4, 5));
+  EXPECT_THAT(window.held, ElementsAre(0, 1, 2));
+  for (const LandmarkId id : window.landmarks) {
+    EXPECT_GE(map.FindLandmark(id)->observations.back().keyframe, 3);
+  }
+}
+
+TEST(BundleAdjusterTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
+  test::Random random(6);
+  const Path path = MakePath(6, 0, random);
+  const Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  BundleAdjusterOptions options;
+  options.max_keyframes = 3;
+  options.min_shared_landmarks = 10000;
+  const AdjustmentWindow window = SelectWindow(map, 5, options);
+  EXPECT_THAT(window.moving, ElementsAre(5));
+  EXPECT_THAT(window.held, IsEmpty());
+}
+
+TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
+  test::Random random(2);
+  const Path path = MakePath(6, 0, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 3, random);
+  const auto [result, outliers] = AdjustAround(map, 5, 3);
+  EXPECT_TRUE(result.usable);
+  EXPECT_LT(result.final_cost, 1e-3 * result.initial_cost);
+  EXPECT_THAT(outliers, IsEmpty());
+  for (KeyframeId id = 0; id < 6; ++id) {
+    EXPECT_THAT(map.WorldFromKeyframe(id),
+                test::IsPoseNear(path.views[id].frame.world_from_camera, 1e-3, 1e-4));
+  }
+}
+
+TEST(BundleAdjusterTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanceStay) {
+  test::Random random(3);
+  const Path path = MakePath(4, 0.3, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 1, random);
+  const SE3 first = map.WorldFromKeyframe(0);
+  const double distance = map.WorldFromKeyframe(3).translation().norm();
+  ASSERT_TRUE(AdjustAround(map, 3, 10).result.usable);
+  EXPECT_THAT(map.WorldFromKeyframe(0), test::IsPoseNear(first, 1e-9, 1e-9));
+  EXPECT_NEAR(map.WorldFromKeyframe(3).translation().norm(), distance, 1e-9);
+}
+
+TEST(BundleAdjusterTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
+  test::Random random(4);
+  Path path = MakePath(5, 0.3, random);
+  const int wrong = 7;
+  path.views[4].frame.pixels[wrong].x() += 60;
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  const LandmarkId landmark = map.keyframe(4).frame.landmarks[wrong];
+  ASSERT_NE(landmark, kNoId);
+  const Map before = map;
+  const std::vector<Observation> outliers = AdjustAround(map, 4, 3).outliers;
+  EXPECT_THAT(outliers, Contains(Observation{4, wrong}));
+  for (const Observation& outlier : outliers) {  // The point that it pulls at, and no other.
+    EXPECT_EQ(before.keyframe(outlier.keyframe).frame.landmarks[outlier.keypoint], landmark);
+  }
+  EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);
+}
+
+TEST(BundleAdjusterTest, TheMapMayGoOnMeanwhile) {
+  test::Random random(7);
+  const Path path = MakePath(5, 0.3, random);
+  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(map, 1, random);
+  Map adjusted_at_once = map;
+  AdjustAround(adjusted_at_once, 4, 4);
+  BundleAdjusterOptions options;
+  options.max_keyframes = 4;
+  options.max_iterations = 50;
+  Bundle bundle = CopyBundle(map, SelectWindow(map, 4, options), test::MakeNoise());
+  map.CountFound(0);
+  AdjustBundle(test::PinholeCamera(), options, bundle);
+  map.CountVisible(0);
+  WriteBack(bundle, map);
+  EXPECT_EQ(map.WorldFromKeyframe(4), adjusted_at_once.WorldFromKeyframe(4));
+  EXPECT_EQ(map.FindLandmark(0)->in_world, adjusted_at_once.FindLandmark(0)->in_world);
+}
+
+TEST(BundleAdjusterTest, GivesTheSameBitsTwice) {
+  test::Random random(5);
+  const Path path = MakePath(5, 0.5, random);
+  Map a = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Disturb(a, 1, random);
+  Map b = a;
+  AdjustAround(a, 4, 4);
+  AdjustAround(b, 4, 4);
+  for (KeyframeId id = 0; id < 5; ++id) {
+    EXPECT_EQ(a.WorldFromKeyframe(id), b.WorldFromKeyframe(id));
+  }
+}
+
+}  // namespace
+}  // namespace corvo

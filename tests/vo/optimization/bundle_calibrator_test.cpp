@@ -1,0 +1,128 @@
+#include "vo/optimization/bundle_calibrator.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+#include "vo/optimization/bundle_adjuster.h"
+
+namespace corvo {
+namespace {
+
+constexpr double kSigmaPx = 0.5;
+constexpr double kNoisePx = 0.3;  ///< Less, as in pictures: an estimate counts on it.
+
+enum class Path { kTurning, kStraight, kTurnInPlace };
+
+SE3 PoseAt(Path path, int view) {
+  switch (path) {
+    case Path::kTurning:
+      return {SO3::Exp({0.02 * std::sin(view), 0.06 * view - 0.3, 0.03 * std::cos(view)}),
+              {0.4 * view, 0.1 * std::sin(view), 0.3 * view}};
+    case Path::kStraight:
+      return {SO3(), {0, 0, 0.5 * view}};
+    case Path::kTurnInPlace:
+      break;
+  }
+  return {SO3::Exp({0, 0.03 * view, 0}), Eigen::Vector3d::Zero()};
+}
+
+/// Keyframes with their true poses and landmarks at their true places, seen by `camera`.
+Map FilmMap(const Camera& camera, Path path, test::Random& random) {
+  constexpr int kViews = 10;
+  const test::PointScene scene = test::MakeBoxScene(600, 6, 30, random);
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < kViews; ++i) {
+    views.push_back(test::ObserveScene(scene, camera, PoseAt(path, i), kNoisePx, random));
+  }
+  return test::MakeMap(scene, views, test::MakeNoise(kSigmaPx));
+}
+
+Bundle CopyAll(const Map& map) {
+  AdjustmentWindow window;
+  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) window.moving.push_back(id);
+  window.landmarks = map.FindSeen(window.moving);
+  return CopyBundle(map, window, test::MakeNoise(kSigmaPx));
+}
+
+/// Of a map that was adjusted to the camera as it was given, as an odometry's is.
+CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
+                        test::Random& random) {
+  const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
+  Bundle bundle = CopyAll(FilmMap(Camera(prior.Apply(truth)), path, random));
+  AdjustBundle(Camera(prior.given), BundleAdjusterOptions(), bundle);
+  const auto estimate = CalibrateBundle(prior, Eigen::Vector3d::Zero(), options, bundle);
+  EXPECT_TRUE(estimate);
+  return estimate.value_or(PriorEstimate(prior));
+}
+
+Eigen::Vector3d Sigmas(const CalibrationOptions& options) {
+  return {options.focal_sigma, options.k1_sigma, options.k2_sigma};
+}
+
+double SquaredNormalizedError(const CameraEstimate& estimate, const Eigen::Vector3d& truth) {
+  const Eigen::Vector3d error = estimate.difference - truth;
+  return error.dot(estimate.covariance.ldlt().solve(error));
+}
+
+CalibrationOptions LooseOptions() {
+  CalibrationOptions options;
+  options.focal_sigma = 0.01;
+  options.max_iterations = 30;
+  return options;
+}
+
+TEST(BundleCalibratorTest, ATurningCameraTellsItsDistortionAndHowSurely) {
+  const CalibrationOptions options = LooseOptions();
+  test::Random random(1);
+  constexpr int kRuns = 20;
+  double sum = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const Eigen::Vector3d truth = Sigmas(options).cwiseProduct(Eigen::Vector3d(random.Vector<3>()));
+    const CameraEstimate estimate = Estimate(truth, Path::kTurning, options, random);
+    EXPECT_LT(std::sqrt(estimate.covariance(1, 1)), 0.2 * options.k1_sigma);
+    EXPECT_NEAR(estimate.difference[1], truth[1], 4 * std::sqrt(estimate.covariance(1, 1)));
+    EXPECT_NEAR(estimate.difference[2], truth[2], 4 * std::sqrt(estimate.covariance(2, 2)));
+    sum += SquaredNormalizedError(estimate, truth);
+  }
+  EXPECT_GT(sum / (3 * kRuns), 0.5);
+  EXPECT_LT(sum / (3 * kRuns), 2.0);
+}
+
+TEST(BundleCalibratorTest, WhereTheMotionDoesNotTellThePriorStays) {
+  const CalibrationOptions options = LooseOptions();
+  test::Random random(2);
+  for (const Path path : {Path::kStraight, Path::kTurnInPlace}) {
+    const CameraEstimate estimate = Estimate({0, 0, 0}, path, options, random);
+    EXPECT_LT(std::abs(estimate.difference[0]), options.focal_sigma);
+    EXPECT_LT(std::abs(estimate.difference[1]), options.k1_sigma);
+    EXPECT_LT(std::abs(estimate.difference[2]), options.k2_sigma);
+  }
+  const CameraEstimate straight = Estimate({0, 0, 0}, Path::kStraight, options, random);
+  EXPECT_GT(std::sqrt(straight.covariance(0, 0)), 0.8 * options.focal_sigma);
+}
+
+TEST(BundleCalibratorTest, ASurePriorHolds) {
+  CalibrationOptions options;
+  options.focal_sigma = options.k1_sigma = options.k2_sigma = 1e-6;
+  test::Random random(3);
+  const CameraEstimate estimate = Estimate({0, 0.02, 0}, Path::kTurning, options, random);
+  EXPECT_THAT(Eigen::Vector3d(estimate.difference),
+              test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 1e-5));
+}
+
+TEST(BundleCalibratorTest, GivesTheSameBitsTwice) {
+  const auto estimate = [] {
+    test::Random random(4);
+    return Estimate({0, 0.02, 0}, Path::kTurning, LooseOptions(), random);
+  };
+  const CameraEstimate first = estimate(), second = estimate();
+  EXPECT_EQ(first.difference, second.difference);
+  EXPECT_EQ(first.covariance, second.covariance);
+}
+
+}  // namespace
+}  // namespace corvo

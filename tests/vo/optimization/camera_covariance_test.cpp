@@ -1,0 +1,36 @@
+#include "vo/optimization/camera_covariance.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "tests/support/matchers.h"
+#include "tests/vo/optimization/film.h"
+
+namespace corvo {
+namespace {
+
+TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
+  test::Random random(2);
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
+  const Bundle bundle = test::Film(test::PinholeCamera(), 10, 0.5, random);
+  const Eigen::MatrixXd once = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle});
+  const Eigen::MatrixXd twice = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle, bundle});
+  ASSERT_TRUE(once.allFinite());
+  EXPECT_THAT(Eigen::MatrixXd(twice.cwiseQuotient(once)),
+              test::IsMatrixNear(Eigen::Matrix3d(Eigen::Matrix3d::Constant(0.5)), 1e-3));
+}
+
+TEST(CameraCovarianceTest, WithoutSightingsItIsThePrior) {
+  const CameraPrior prior{test::PinholeCamera().parameters(),
+                          {{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}}};
+  const Eigen::Vector3d sigmas =
+      CameraCovariance(prior, Eigen::Vector3d::Zero(), {Bundle()}).diagonal().cwiseSqrt();
+  EXPECT_THAT(sigmas, test::IsMatrixNear(Eigen::Vector3d(0.01, 0.02, 0.03), 1e-12));
+  const CameraPrior unknown{prior.given, {{"focal"}}};
+  EXPECT_EQ(CameraCovariance(unknown, Eigen::VectorXd::Zero(1), {})(0, 0),
+            std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,328 @@
+#include "vo/optimization/full_adjustment.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/data.h"
+#include "tests/support/matchers.h"
+#include "tests/vo/optimization/film.h"
+
+namespace corvo {
+namespace {
+
+using ::testing::Each;
+using ::testing::Ge;
+using ::testing::Gt;
+
+constexpr double kNoisePx = 0.5;
+
+CameraPrior Exact(const Camera& camera) { return {camera.parameters(), {}}; }
+
+/// Moves poses and points, but for what holds the gauge: the oldest pose and the distance of the
+/// last from it.
+void Disturb(Bundle& bundle, double size, test::Random& random) {
+  for (std::size_t i = 1; i + 1 < bundle.views.size(); ++i) {
+    Bundle::View& view = bundle.views[i];
+    const Eigen::Matrix<double, 6, 1> change = size * random.Vector<6>();
+    view.local_from_camera = (view.Pose() * SE3::Exp(change)).data();
+  }
+  for (Bundle::Point& point : bundle.points) point.in_local *= 1 + size * random.Gaussian(0.2);
+}
+
+double PoseError(const Bundle& bundle, const Bundle& truth) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bundle.views.size(); ++i) {
+    const SE3 error = truth.views[i].Pose().Inverse() * bundle.views[i].Pose();
+    sum += error.translation().squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(bundle.views.size()));
+}
+
+void ExpectUnchanged(const Bundle& bundle, const Bundle& before) {
+  for (std::size_t i = 0; i < bundle.views.size(); ++i) {
+    EXPECT_EQ(bundle.views[i].local_from_camera, before.views[i].local_from_camera);
+  }
+  for (std::size_t i = 0; i < bundle.points.size(); ++i) {
+    EXPECT_EQ(bundle.points[i].in_local, before.points[i].in_local);
+  }
+}
+
+TEST(FullAdjustmentTest, LowersTheCostAndTheError) {
+  test::Random random(1);
+  const Camera camera = test::PinholeCamera();
+  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  std::vector<Bundle> bundles{truth};
+  Disturb(bundles[0], 0.02, random);
+  const double error_before = PoseError(bundles[0], truth);
+  const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_LT(result.final_cost, 0.2 * result.initial_cost);
+  std::vector<Bundle> from_truth{truth};
+  AdjustFully(Exact(camera), camera.parameters(), {}, from_truth);
+  EXPECT_LT(PoseError(bundles[0], truth), 1.05 * PoseError(from_truth[0], truth));
+  EXPECT_LT(PoseError(bundles[0], truth), 0.5 * error_before);
+  EXPECT_EQ(result.num_sightings, static_cast<int>(truth.sightings.size()));
+  EXPECT_NEAR(result.num_inliers / static_cast<double>(result.num_sightings), 0.97, 0.03);
+  EXPECT_NEAR(result.inlier_rms_px, std::sqrt(2.0) * kNoisePx, 0.15);
+  EXPECT_EQ(result.camera, camera.parameters());
+}
+
+TEST(FullAdjustmentTest, GrossErrorsAreToldAndLeaveNoTrace) {
+  test::Random random(2);
+  const Camera camera = test::PinholeCamera();
+  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  std::vector<Bundle> bundles{truth};
+  for (std::size_t i = 0; i < bundles[0].sightings.size(); i += 20) {
+    bundles[0].sightings[i].pixel += 40 * random.Vector<2>();
+  }
+  Disturb(bundles[0], 0.01, random);
+  ASSERT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, bundles).outcome,
+            AdjustmentOutcome::kLowered);
+  std::vector<Bundle> clean{truth};
+  AdjustFully(Exact(camera), camera.parameters(), {}, clean);
+  EXPECT_LT(PoseError(bundles[0], truth), 1.5 * PoseError(clean[0], truth));
+  int num_gross = 0, num_kept = 0;
+  for (std::size_t i = 0; i < bundles[0].sightings.size(); i += 20) {
+    const Bundle::Sighting& sighting = bundles[0].sightings[i];
+    const double moved_px = (sighting.pixel - truth.sightings[i].pixel).norm();
+    if (moved_px <= 10 * kNoisePx) continue;
+    ++num_gross;
+    num_kept += sighting.is_inlier;
+  }
+  EXPECT_GT(num_gross, 50);
+  EXPECT_LT(num_kept, 0.03 * num_gross);  // Along an epipolar line few views can tell.
+}
+
+/// Bundles of a camera, adjusted from what is given; nothing is known of what is free.
+struct Recovery {
+  FullAdjustment result;
+  Eigen::VectorXd error;  ///< Of the difference from what was given.
+};
+
+Recovery Recover(const Camera& truth, const CameraParameters& given,
+                 const std::vector<std::string>& free, int num_bundles, test::Random& random) {
+  std::vector<Bundle> bundles;
+  for (int i = 0; i < num_bundles; ++i) {
+    bundles.push_back(test::Film(truth, 12, kNoisePx, random));
+  }
+  CameraPrior prior{given, {}};
+  for (const std::string& name : free) prior.free.push_back({name});
+  Recovery recovery{AdjustFully(prior, given, {}, bundles), {}};
+  recovery.error = prior.Difference(recovery.result.camera) - prior.Difference(truth.parameters());
+  return recovery;
+}
+
+void ExpectRecovered(const Recovery& recovery) {
+  ASSERT_EQ(recovery.result.outcome, AdjustmentOutcome::kLowered);
+  const Eigen::VectorXd sigmas = recovery.result.covariance.diagonal().cwiseSqrt();
+  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
+    EXPECT_LT(std::abs(recovery.error[i]), 4 * sigmas[i]) << i;
+  }
+}
+
+TEST(FullAdjustmentTest, FindsAPinholeOfWhichNothingIsKnown) {
+  test::Random random(3);
+  CameraParameters camera = test::PinholeCamera().parameters();
+  const CameraParameters given = camera;
+  camera.fx = 520;
+  camera.fy = 515;
+  camera.cx += 6;
+  camera.k1 = -0.08;
+  camera.k2 = 0.02;
+  const std::vector<std::string> free = {"fx", "fy", "cx", "cy", "k1", "k2"};
+  const Recovery once = Recover(Camera(camera), given, free, 1, random);
+  const Recovery thrice = Recover(Camera(camera), given, free, 3, random);
+  ExpectRecovered(once);
+  ExpectRecovered(thrice);
+  EXPECT_LT(std::abs(thrice.result.camera.fx - 520), 5);
+  const Eigen::ArrayXd gain =
+      once.result.covariance.diagonal().array() / thrice.result.covariance.diagonal().array();
+  EXPECT_THAT(std::vector<double>(gain.begin(), gain.end()), Each(Gt(1.8)));
+}
+
+TEST(FullAdjustmentTest, FindsWideCamerasByTheirOwnParameters) {
+  test::Random random(4);
+  CameraParameters kb4 = test::PinholeCamera().parameters();
+  kb4.model = CameraModel::kKb4;
+  CameraParameters fov = test::PinholeCamera().parameters();
+  fov.model = CameraModel::kFov;
+  fov.omega = 0.7;
+  const CameraParameters given_kb4 = kb4, given_fov = fov;
+  kb4.fx = kb4.fy = 490;
+  kb4.k1 = 0.03;
+  fov.fx = fov.fy = 510;
+  fov.omega = 0.8;
+  ExpectRecovered(Recover(Camera(kb4), given_kb4, {"focal", "k1"}, 2, random));
+  ExpectRecovered(Recover(Camera(fov), given_fov, {"focal", "omega"}, 2, random));
+}
+
+TEST(FullAdjustmentTest, ASurePriorHolds) {
+  test::Random random(5);
+  CameraParameters camera = test::PinholeCamera().parameters();
+  camera.k1 = 0.05;
+  std::vector<Bundle> bundles{test::Film(Camera(camera), 12, kNoisePx, random)};
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"k1", 1e-7}}};
+  const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_NEAR(result.camera.k1, 0, 1e-6);
+}
+
+TEST(FullAdjustmentTest, TheSightingsCountAsOftenAsTheyAreSaidTo) {
+  constexpr double kFactor = 4;
+  test::Random random(13);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 12, kNoisePx, random)}, again = bundles;
+  const CameraPrior prior{camera.parameters(), {{"focal", 0.01}, {"k1", 0.01}}};
+  const FullAdjustment counted =
+      AdjustFully(prior, prior.given, {.information_factor = kFactor}, bundles);
+  const FullAdjustment once = AdjustFully(prior.Beside(kFactor), prior.given, {}, again);
+  EXPECT_EQ(counted.camera, once.camera);
+  EXPECT_EQ(counted.final_cost, once.final_cost);
+  EXPECT_THAT(Eigen::MatrixXd(kFactor * counted.covariance),
+              test::IsMatrixNear(once.covariance, 1e-15));
+}
+
+TEST(FullAdjustmentTest, WhatCannotBeLoweredStays) {
+  test::Random random(6);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 8, 0, random)};
+  for (Bundle::Sighting& sighting : bundles[0].sightings) {
+    const Bundle::Point& point = bundles[0].points[sighting.point];
+    sighting.pixel =
+        *camera.Project(bundles[0].views[sighting.view].Pose().Inverse() * point.in_local);
+  }
+  const std::vector<Bundle> before = bundles;
+  const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kNotLowered);
+  EXPECT_EQ(result.initial_cost, 0);
+  ExpectUnchanged(bundles[0], before[0]);
+}
+
+TEST(FullAdjustmentTest, WhatCannotBeSolvedStays) {
+  test::Random random(7);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 8, kNoisePx, random)};
+  Disturb(bundles[0], 0.02, random);
+  bundles[0].sightings[5].pixel.x() = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Bundle> before = bundles;
+  const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kSolverFailed);
+  ExpectUnchanged(bundles[0], before[0]);
+  std::vector<Bundle> nothing;
+  EXPECT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, nothing).outcome,
+            AdjustmentOutcome::kNoSightings);
+}
+
+TEST(FullAdjustmentTest, APointBehindACameraIsAnOutlierThatStopsNothing) {
+  test::Random random(8);
+  const Camera camera = test::PinholeCamera();
+  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  std::vector<Bundle> bundles{truth};
+  Disturb(bundles[0], 0.02, random);
+  bundles[0].points[3].in_local *= -1;
+  EXPECT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, bundles).outcome,
+            AdjustmentOutcome::kLowered);
+  EXPECT_LT(PoseError(bundles[0], truth), 0.02);
+  for (const Bundle::Sighting& sighting : bundles[0].sightings) {
+    EXPECT_FALSE(sighting.is_inlier && sighting.point == 3);
+  }
+}
+
+TEST(FullAdjustmentTest, GivesTheSameBitsWhereverItsMemoryLies) {
+  const auto adjust = [] {
+    test::Random random(9);
+    std::vector<Bundle> bundles;
+    for (int i = 0; i < 3; ++i) {
+      bundles.push_back(test::Film(test::PinholeCamera(), 8, kNoisePx, random));
+    }
+    const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.1}}};
+    const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
+    return std::pair(result, bundles);
+  };
+  const auto first = adjust();
+  const std::vector<Bundle> elsewhere(7, first.second[0]);
+  const auto second = adjust();
+  EXPECT_EQ(first.first.camera, second.first.camera);
+  EXPECT_EQ(first.first.final_cost, second.first.final_cost);
+  EXPECT_EQ(first.first.covariance, second.first.covariance);
+  for (int i = 0; i < 3; ++i) ExpectUnchanged(first.second[i], second.second[i]);
+}
+
+TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
+  CORVO_SKIP_IF_SHORT();
+  test::Random random(10);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> truth, bundles;
+  for (int i = 0; i < 28; ++i) truth.push_back(test::Film(camera, 11, kNoisePx, random));
+  bundles = truth;
+  for (Bundle& bundle : bundles) Disturb(bundle, 0.02, random);
+  const CameraPrior prior{camera.parameters(), {{"focal", 0.01}}};
+  std::vector<Bundle> again = bundles;
+  const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(AdjustFully(prior, prior.given, {}, again).camera, result.camera);
+  for (std::size_t i = 0; i < bundles.size(); ++i) {
+    EXPECT_LT(PoseError(bundles[i], truth[i]), 0.02) << i;
+    ExpectUnchanged(again[i], bundles[i]);
+  }
+}
+
+TEST(FullAdjustmentTest, IsStoppedByWhoIsToldOfItsProgress) {
+  test::Random random(12);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 8, kNoisePx, random)};
+  Disturb(bundles[0], 0.02, random);
+  const Bundle before = bundles[0];
+  int num_told = 0;
+  const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles,
+                                            [&](double) { return ++num_told < 3; });
+  EXPECT_EQ(num_told, 3);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kSolverFailed);
+  ExpectUnchanged(bundles[0], before);
+}
+
+TEST(FullAdjustmentTest, TellsHowFarItIs) {
+  test::Random random(11);
+  const Camera camera = test::PinholeCamera();
+  std::vector<Bundle> bundles{test::Film(camera, 6, kNoisePx, random)};
+  Disturb(bundles[0], 0.02, random);
+  std::vector<double> shares;
+  AdjustFully(Exact(camera), camera.parameters(), {}, bundles, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  ASSERT_GT(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_THAT(shares, Each(Ge(0)));
+  EXPECT_EQ(shares.back(), 1);
+}
+
+TEST(ThinPointsTest, KeepsTheLongestTracksOfEveryView) {
+  Bundle bundle;
+  bundle.views.resize(4);
+  const std::vector<std::vector<int>> tracks = {{0, 1}, {0, 1, 2}, {1, 2}, {3}, {2, 3}, {0, 1}};
+  for (int point = 0; point < 6; ++point) {
+    bundle.points.push_back({10 + point, Eigen::Vector3d::Zero()});
+    for (const int view : tracks[point])
+      bundle.sightings.push_back({view, point, view, Eigen::Vector2d::Zero(), 1});
+  }
+  const auto kept = [&](int max_points) {
+    const Bundle thinned = ThinPoints(bundle, max_points);
+    std::vector<LandmarkId> landmarks;
+    for (const Bundle::Point& point : thinned.points) landmarks.push_back(point.landmark);
+    for (const Bundle::Sighting& sighting : thinned.sightings) {
+      const std::vector<int>& track = tracks[thinned.points[sighting.point].landmark - 10];
+      EXPECT_THAT(track, testing::Contains(sighting.view));
+    }
+    return landmarks;
+  };
+  EXPECT_THAT(kept(1), testing::ElementsAre(11, 14));
+  EXPECT_THAT(kept(2), testing::ElementsAre(10, 11, 12, 14));
+  EXPECT_THAT(kept(9), testing::ElementsAre(10, 11, 12, 14, 15));
+}
+
+}  // namespace
+}  // namespace corvo

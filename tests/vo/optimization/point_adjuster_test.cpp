@@ -1,0 +1,97 @@
+#include "vo/optimization/point_adjuster.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+#include "vo/math/huber.h"
+#include "vo/optimization/point_selection.h"
+
+namespace corvo {
+namespace {
+
+/// Of six views along x, the first held, without noise.
+Bundle MakeBundle(test::Random& random) {
+  const test::PointScene scene = test::MakeBoxScene(300, 3, 10, random);
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < 6; ++i) {
+    const SE3 pose(SO3(), Eigen::Vector3d(0.4 * i, 0, 0));
+    views.push_back(test::ObserveScene(scene, test::PinholeCamera(), pose, 0, random));
+  }
+  const Map map = test::MakeMap(scene, views, test::MakeNoise());
+  return CopyBundle(map, {{1, 2, 3, 4, 5}, {0}, map.FindSeen({1, 2, 3, 4, 5})}, test::MakeNoise());
+}
+
+std::vector<int> CountSightings(const Bundle& bundle) {
+  std::vector<int> counts(bundle.points.size(), 0);
+  for (const Bundle::Sighting& sighting : bundle.sightings) ++counts[sighting.point];
+  return counts;
+}
+
+TEST(PointAdjusterTest, OtherPointsReturnToWhereTheyAreSeen) {
+  test::Random random(1);
+  const Bundle exact = MakeBundle(random);
+  Bundle bundle = exact;
+  std::vector<char> is_adjusted(bundle.points.size(), 0);
+  for (std::size_t i = 0; i < bundle.points.size(); ++i) {
+    is_adjusted[i] = i % 2 == 0;
+    bundle.points[i].in_local += random.Vector<3>(0.1);
+  }
+  const Bundle disturbed = bundle;
+  AdjustPoints(test::PinholeCamera(), is_adjusted, bundle);
+  for (std::size_t i = 0; i < bundle.points.size(); ++i) {
+    if (is_adjusted[i]) {
+      EXPECT_EQ(bundle.points[i].in_local, disturbed.points[i].in_local);
+    } else {
+      EXPECT_THAT(bundle.points[i].in_local, test::IsMatrixNear(exact.points[i].in_local, 1e-2));
+    }
+  }
+  for (std::size_t i = 0; i < bundle.views.size(); ++i) {
+    EXPECT_EQ(bundle.views[i].local_from_camera, exact.views[i].local_from_camera);
+  }
+}
+
+TEST(PointSelectionTest, EveryMovingViewHasItsQuota) {
+  test::Random random(2);
+  const Bundle bundle = MakeBundle(random);
+  constexpr int kPointsPerView = 20;
+  const std::vector<char> is_selected = SelectPoints(bundle, kPointsPerView);
+  std::vector<int> num_selected(bundle.views.size(), 0), num_seen(bundle.views.size(), 0);
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    num_selected[sighting.view] += is_selected[sighting.point];
+    ++num_seen[sighting.view];
+  }
+  for (std::size_t view = 1; view < bundle.views.size(); ++view) {
+    EXPECT_GE(num_selected[view], std::min(kPointsPerView, num_seen[view])) << view;
+  }
+  EXPECT_LT(std::count(is_selected.begin(), is_selected.end(), 1),
+            5 * kPointsPerView);  // Fewer than a quota for each: they are shared.
+}
+
+TEST(PointSelectionTest, LongTracksComeFirst) {
+  test::Random random(3);
+  const Bundle bundle = MakeBundle(random);
+  const std::vector<char> is_selected = SelectPoints(bundle, 1);
+  const std::vector<int> counts = CountSightings(bundle);
+  const auto longest = std::max_element(counts.begin(), counts.end());
+  EXPECT_TRUE(is_selected[longest - counts.begin()]);
+}
+
+TEST(PointSelectionTest, AQuotaThatNoViewFillsTakesAll) {
+  test::Random random(4);
+  const Bundle bundle = MakeBundle(random);
+  EXPECT_THAT(SelectPoints(bundle, 100000), ::testing::Each(1));
+}
+
+TEST(HuberLossTest, IsQuadraticThenLinear) {
+  EXPECT_EQ(HuberLoss(3, 4).value, 3);
+  EXPECT_EQ(HuberLoss(3, 4).weight, 1);
+  EXPECT_DOUBLE_EQ(HuberLoss(16, 4).value, 2 * 2 * 4 - 4);
+  EXPECT_DOUBLE_EQ(HuberLoss(16, 4).weight, 0.5);
+}
+
+}  // namespace
+}  // namespace corvo

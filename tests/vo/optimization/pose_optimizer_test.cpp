@@ -1,0 +1,105 @@
+#include "vo/optimization/pose_optimizer.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+const SE3 kTruth(SO3::Exp({0.1, -0.2, 0.05}), Eigen::Vector3d(0.3, -0.1, 0.2));
+
+std::vector<PointObservation> Observe(int num_points, double sigma_px, test::Random& random) {
+  const test::PointScene scene = test::MakeBoxScene(num_points, 2, 10, random);
+  const Camera camera = test::PinholeCamera();
+  const test::SceneView view = test::ObserveScene(scene, camera, kTruth, sigma_px, random);
+  std::vector<PointObservation> observations;
+  for (int k = 0; k < view.frame.num_keypoints(); ++k) {
+    observations.push_back({scene.in_world[view.points[k]], view.frame.pixel(k), 1.0});
+  }
+  return observations;
+}
+
+TEST(PoseOptimizerTest, FindsTheExactPose) {
+  test::Random random(1);
+  const auto observations = Observe(100, 0, random);
+  const SE3 initial = kTruth * SE3::Exp(random.Vector<6>(0.1));
+  const PoseEstimate estimate = OptimizePose(initial, observations, test::PinholeCamera());
+  // Pixels are stored as float: some 1e-5 px.
+  EXPECT_THAT(estimate.world_from_camera, test::IsPoseNear(kTruth, 1e-4, 1e-5));
+  EXPECT_EQ(estimate.num_inliers, static_cast<int>(observations.size()));
+}
+
+TEST(PoseOptimizerTest, SetsGrossErrorsAside) {
+  test::Random random(2);
+  auto observations = Observe(300, 0.5, random);
+  for (std::size_t i = 0; i < observations.size(); i += 3) {
+    observations[i].pixel += 40 * random.Direction().head<2>() + Eigen::Vector2d(30, 0);
+  }
+  const SE3 initial = kTruth * SE3::Exp(random.Vector<6>(0.05));
+  const PoseEstimate estimate = OptimizePose(initial, observations, test::PinholeCamera());
+  EXPECT_THAT(estimate.world_from_camera, test::IsPoseNear(kTruth, 0.1, 0.01));
+  int num_wrong = 0;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    num_wrong += estimate.is_inlier[i] == (i % 3 == 0);
+  }
+  EXPECT_LE(num_wrong, static_cast<int>(observations.size() / 50));
+}
+
+/// Mean distance from the truth over `num_scenes` in which every second point is off by draws with
+/// a standard deviation of 0.02, told to the optimiser or not.
+double MeanError(bool is_told, int num_scenes) {
+  constexpr double kSigma = 0.02;
+  test::Random random(3);
+  double sum = 0;
+  for (int i = 0; i < num_scenes; ++i) {
+    auto observations = Observe(100, 0.3, random);
+    for (std::size_t k = 0; k < observations.size(); k += 2) {
+      observations[k].in_world += Eigen::Vector3d{random.Gaussian(kSigma), random.Gaussian(kSigma),
+                                                  random.Gaussian(kSigma)};
+      if (is_told) observations[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
+    }
+    const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
+    sum += (estimate.world_from_camera.translation() - kTruth.translation()).norm();
+  }
+  return sum / num_scenes;
+}
+
+TEST(PoseOptimizerTest, PointsThatAreKnownBadlyCountLess) {
+  EXPECT_LT(MeanError(true, 20), 0.7 * MeanError(false, 20));
+}
+
+TEST(PoseOptimizerTest, APointThatIsKnownBadlyMustStillBeSeenWhereItIs) {
+  test::Random random(4);
+  auto observations = Observe(100, 0.3, random);
+  observations[0].covariance = Eigen::Matrix3d::Identity();
+  observations[0].pixel.x() += 10;
+  const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
+  EXPECT_FALSE(estimate.is_inlier[0]);
+  EXPECT_EQ(estimate.num_inliers, static_cast<int>(observations.size()) - 1);
+}
+
+TEST(PoseOptimizerTest, SurvivesTooFewOrUselessObservations) {
+  const Camera camera = test::PinholeCamera();
+  EXPECT_EQ(OptimizePose(kTruth, {}, camera).num_inliers, 0);
+  EXPECT_EQ(OptimizePose(kTruth, {}, camera).world_from_camera, kTruth);
+  const std::vector<PointObservation> behind(10, {kTruth * Eigen::Vector3d(0, 0, -5), {0, 0}, 1});
+  EXPECT_EQ(OptimizePose(kTruth, behind, camera).num_inliers, 0);
+}
+
+TEST(PoseOptimizerTest, SquaredErrorIsInUnitsOfSigma) {
+  const Camera camera = test::PinholeCamera();
+  // (0, 0, 5) projects to the principal point.
+  const PointObservation observation{{0, 0, 5}, {319.5 + 6, 239.5 + 8}, 2.0};
+  EXPECT_NEAR(SquaredError(observation, SE3(), camera), 25, 1e-12);
+  const PointObservation behind{{0, 0, -5}, {0, 0}, 2.0};
+  EXPECT_EQ(SquaredError(behind, SE3(), camera), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace corvo

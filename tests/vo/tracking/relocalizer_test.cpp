@@ -1,0 +1,77 @@
+#include "vo/tracking/relocalizer.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+/// A map of six views around a scene, the later ones turned far from the first.
+class RelocalizerTest : public ::testing::Test {
+ protected:
+  RelocalizerTest() {
+    std::vector<test::SceneView> views;
+    for (int i = 0; i < 6; ++i) views.push_back(View(PoseAt(i)));
+    map_ = test::MakeMap(scene_, views, noise_);
+  }
+
+  static SE3 PoseAt(double i) {
+    return SE3(SO3::Exp({0, 0.15 * i, 0}), Eigen::Vector3d(0.3 * i, 0, 0));
+  }
+
+  test::SceneView View(const SE3& pose) {
+    return test::ObserveScene(scene_, camera_, pose, 0.3, random_);
+  }
+
+  TrackingResult Locate(Frame& frame, const RelocalizerOptions& options = {}) {
+    return Relocalize(map_, 0, camera_, noise_, TrackerOptions(), options, frame);
+  }
+
+  test::Random random_{1};
+  Camera camera_ = test::PinholeCamera();
+  KeypointNoise noise_ = test::MakeNoise();
+  test::PointScene scene_ = test::MakeBoxScene(900, 3, 12, random_);
+  Map map_;
+};
+
+TEST_F(RelocalizerTest, FindsAFrameAnywhereInTheMap) {
+  for (const double i : {0.5, 2.2, 4.5}) {
+    test::SceneView view = View(PoseAt(i));
+    view.frame.world_from_camera = SE3();
+    EXPECT_EQ(Locate(view.frame).reason, Reason::kNone) << i;
+    EXPECT_THAT(view.frame.world_from_camera, test::IsPoseNear(PoseAt(i), 0.2, 0.03)) << i;
+  }
+}
+
+TEST_F(RelocalizerTest, LooksOnlyInTheNewestKeyframes) {
+  RelocalizerOptions options;
+  options.max_keyframes = 1;
+  test::SceneView view = View(PoseAt(-2));  // Sees nothing of the newest.
+  EXPECT_NE(Locate(view.frame, options).reason, Reason::kNone);
+}
+
+TEST_F(RelocalizerTest, LooksOnlyInItsSegment) {
+  test::SceneView view = View(PoseAt(1));
+  EXPECT_NE(Relocalize(map_, 1, camera_, noise_, TrackerOptions(), {}, view.frame).reason,
+            Reason::kNone);
+}
+
+TEST_F(RelocalizerTest, AsksForEnoughInliers) {
+  test::SceneView view = View(PoseAt(1));
+  RelocalizerOptions options;
+  options.min_inliers = 10000;
+  EXPECT_EQ(Locate(view.frame, options).reason, Reason::kTooFewInliers);
+}
+
+TEST_F(RelocalizerTest, NeverFindsAnotherPlace) {
+  const test::PointScene elsewhere = test::MakeBoxScene(900, 3, 12, random_);
+  test::SceneView view = test::ObserveScene(elsewhere, camera_, PoseAt(1), 0.3, random_);
+  EXPECT_NE(Locate(view.frame).reason, Reason::kNone);
+}
+
+}  // namespace
+}  // namespace corvo

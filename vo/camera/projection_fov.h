@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "vo/camera/camera_parameters.h"
+#include "vo/camera/projection.h"
+
+/// Field-of-view model (Devernay and Faugeras, "Straight lines have to be straight", 2001, equation
+/// 13; "ATAN" in PTAM and the TUM-mono dataset):
+///
+///     (x, y) = atan(2 r tan(omega / 2)) / (omega r) (a, b)
+///
+/// At omega = 0 there is no distortion.
+namespace corvo::fov {
+
+Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
+
+/// The tangent of kMaxAngle: the model itself has no end.
+double MaxRadius(const CameraParameters& parameters);
+
+/// The undistorted point within `max_radius` that is distorted to `target`, to rounding; none where
+/// there is none.
+std::optional<Eigen::Vector2d> Undistort(const CameraParameters& parameters, double max_radius,
+                                         const Eigen::Vector2d& target);
+
+}  // namespace corvo::fov

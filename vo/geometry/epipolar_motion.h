@@ -1,0 +1,28 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vo/geometry/ray_match.h"
+#include "vo/lie/so3.h"
+#include "vo/math/levenberg_marquardt.h"
+
+namespace corvo {
+
+/// A motion between two views but for its length: the essential matrix is [baseline]x R.
+struct EpipolarMotion {
+  SO3 second_from_first;
+  Eigen::Vector3d baseline;  ///< The first camera in the second's frame, a unit vector.
+};
+
+/// The motion of least robust (Cauchy) Sampson error that is reached from `start` (Hartley and
+/// Zisserman, 11.4.3), and its cost: the sum of log(1 + e²), e in units of each match's sigma. The
+/// rotation of `start` is a measurement, too, with a standard deviation of `rotation_sigma` about
+/// each axis, radians.
+Minimum<EpipolarMotion> FitEpipolarMotion(
+    const std::vector<RayMatch>& matches, const EpipolarMotion& start,
+    double rotation_sigma = std::numeric_limits<double>::infinity());
+
+}  // namespace corvo

@@ -1,0 +1,60 @@
+#include "vo/map/frame.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace corvo {
+
+Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
+                std::vector<orb::Patch> patches) {
+  Frame frame;
+  frame.index = index;
+  frame.time_ns = time_ns;
+  frame.camera = camera.parameters();
+  const std::size_t num_keypoints = features.keypoints.size();
+  frame.features.keypoints.reserve(num_keypoints);
+  frame.features.descriptors.reserve(num_keypoints);
+  frame.patches.reserve(patches.size());
+  frame.pixels.reserve(num_keypoints);
+  frame.rays.reserve(num_keypoints);
+  frame.is_aligned.reserve(num_keypoints);
+  for (std::size_t i = 0; i < features.keypoints.size(); ++i) {
+    const orb::Keypoint& keypoint = features.keypoints[i];
+    const std::optional<Eigen::Vector2d> ray =
+        camera.Undistort(Eigen::Vector2d(keypoint.x, keypoint.y));
+    if (!ray) continue;
+    frame.features.keypoints.push_back(keypoint);
+    frame.features.descriptors.push_back(features.descriptors[i]);
+    frame.pixels.emplace_back(keypoint.x, keypoint.y);
+    frame.rays.push_back(*ray);
+    frame.is_aligned.push_back(0);
+    if (!patches.empty()) frame.patches.push_back(patches[i]);
+  }
+  frame.landmarks.assign(frame.rays.size(), kNoId);
+  frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
+  return frame;
+}
+
+void UpdateRays(const Camera& camera, Frame& frame) {
+  if (frame.camera == camera.parameters()) return;
+  frame.camera = camera.parameters();
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    frame.rays[k] = camera.Undistort(frame.pixels[k]).value_or(frame.rays[k]);
+  }
+}
+
+int CountSeenLandmarks(const Frame& frame) {
+  return static_cast<int>(frame.landmarks.size() -
+                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
+}
+
+std::size_t NumBytes(const Frame& frame) {
+  return sizeof frame + frame.keypoint_index.num_bytes() +
+         frame.features.keypoints.capacity() * sizeof(orb::Keypoint) +
+         frame.features.descriptors.capacity() * sizeof(orb::Descriptor) +
+         frame.patches.capacity() * sizeof(orb::Patch) +
+         (frame.pixels.capacity() + frame.rays.capacity()) * sizeof(Eigen::Vector2d) +
+         frame.is_aligned.capacity() + frame.landmarks.capacity() * sizeof(LandmarkId);
+}
+
+}  // namespace corvo

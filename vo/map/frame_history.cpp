@@ -1,0 +1,107 @@
+#include "vo/map/frame_history.h"
+
+#include <iterator>
+
+namespace corvo {
+namespace {
+
+/// The first at a share of 0, the second at 1.
+SE3 Interpolate(const SE3& first, const SE3& second, double share) {
+  return first * (first.Inverse() * second).Power(share);
+}
+
+}  // namespace
+
+void FrameRecords::SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map) {
+  Record& record = records_[frame];
+  record.keyframe = FindKeyframe(frame, segment, map);
+  record.from_camera = map.WorldFromKeyframe(record.keyframe).Inverse() * world_from_camera;
+}
+
+KeyframeId FrameRecords::FindKeyframe(int frame, int segment, const Map& map) const {
+  KeyframeId found = kNoId;
+  for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe) {
+    if (map.SegmentOf(keyframe->first) != segment) break;
+    found = keyframe->first;
+    if (keyframe->second.frame <= frame) break;
+  }
+  return found;
+}
+
+void FrameRecords::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
+  Join(keyframes_.insert({keyframe, {frame, SE3()}}).first, map);
+  if (IsPosed(frame)) return;
+  records_[frame].outcome.is_keyframe = true;
+  records_[frame].keyframe = keyframe;
+  records_[frame].from_camera = SE3();
+}
+
+void FrameRecords::Join(Keyframes::iterator keyframe, const Map& map) {
+  if (keyframe == keyframes_.begin()) return;
+  keyframe->second.from_before = map.WorldFromKeyframe(keyframe->first).Inverse() *
+                                 map.WorldFromKeyframe(std::prev(keyframe)->first);
+}
+
+void FrameRecords::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
+  const auto removed = keyframes_.find(keyframe);
+  const auto before = std::prev(removed);
+  const auto after = std::next(removed);
+  const SE3 before_from_world = map.WorldFromKeyframe(before->first).Inverse();
+  for (int frame = before->second.frame + 1; frame < after->second.frame; ++frame) {
+    Record& record = records_[frame];
+    if (record.keyframe != before->first && record.keyframe != keyframe) continue;
+    record.from_camera = before_from_world * PoseOf(frame, map);
+    record.keyframe = before->first;
+  }
+  keyframes_.erase(removed);
+  Join(after, map);
+}
+
+void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_from_camera) {
+  records_[frame].reference = reference;
+  records_[frame].from_camera = SE3(reference_from_camera, Eigen::Vector3d::Zero());
+}
+
+SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
+  const Record& record = records_[frame];
+  const SE3 by_first = map.WorldFromKeyframe(record.keyframe) * record.from_camera;
+  const auto first = keyframes_.find(record.keyframe);
+  const auto second = std::next(first);
+  if (second == keyframes_.end() || frame <= first->second.frame) return by_first;
+  if (map.SegmentOf(second->first) != map.SegmentOf(first->first)) return by_first;
+  const SE3 second_from_camera = second->second.from_before * record.from_camera;
+  const SE3 by_second = map.WorldFromKeyframe(second->first) * second_from_camera;
+  const double to_first = record.from_camera.translation().norm();
+  const double to_second = second_from_camera.translation().norm();
+  if (!(to_first > 0)) return by_first;
+  return Interpolate(by_first, by_second, to_first / (to_first + to_second));
+}
+
+std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {
+  SO3 ancestor_from_camera;
+  for (int ancestor = frame;;) {
+    const Record& record = records_[ancestor];
+    if (IsPosed(ancestor)) return PoseOf(ancestor, map).rotation() * ancestor_from_camera;
+    if (record.reference == kNoId) return std::nullopt;
+    ancestor_from_camera = record.from_camera.rotation() * ancestor_from_camera;
+    if (record.reference == ancestor) return ancestor_from_camera;
+    ancestor = record.reference;
+  }
+}
+
+FrameResult FrameRecords::ResultOf(int frame, const Map& map) const {
+  FrameResult result{records_[frame].outcome, {}, {}};
+  if (IsPosed(frame)) result.world_from_camera = PoseOf(frame, map);
+  if (IsPosed(frame) || result.state == State::kRotationOnly) {
+    result.world_from_camera_rotation = RotationOf(frame, map);
+  }
+  return result;
+}
+
+Trajectory FrameRecords::ToTrajectory(const Map& map) const {
+  Trajectory trajectory;
+  for (int frame = 0; frame < size(); ++frame) trajectory.frames.push_back(ResultOf(frame, map));
+  return trajectory;
+}
+
+}  // namespace corvo

@@ -1,0 +1,24 @@
+#include "vo/map/landmark_covariance.h"
+
+#include <Eigen/LU>
+
+namespace corvo {
+
+Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark, const Camera& camera,
+                                   const KeypointNoise& noise) {
+  constexpr double kSigmaAlong = 10;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (const Observation& o : landmark.observations) {
+    const Frame& frame = map.keyframe(o.keyframe).frame;
+    const Eigen::Vector3d ray = landmark.in_world - frame.world_from_camera.translation();
+    const double squared_distance = ray.squaredNorm();
+    const double sigma_across = noise.Sigma(frame, o.keypoint) / camera.focal();
+    const Eigen::Matrix3d along = ray * ray.transpose() / squared_distance;
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
+    information += (across / (sigma_across * sigma_across) + along / (kSigmaAlong * kSigmaAlong)) /
+                   squared_distance;
+  }
+  return information.inverse();
+}
+
+}  // namespace corvo

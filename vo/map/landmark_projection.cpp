@@ -1,0 +1,47 @@
+#include "vo/map/landmark_projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corvo {
+namespace {
+
+/// The finest octave whose scale reaches max_distance / distance: the nearer, the coarser.
+int PredictOctave(double max_distance, double distance, const std::vector<double>& octave_scales) {
+  const double scale = max_distance / distance;
+  const auto found = std::lower_bound(octave_scales.begin(), octave_scales.end(), scale);
+  const auto octave = std::min(found, octave_scales.end() - 1) - octave_scales.begin();
+  return static_cast<int>(octave);
+}
+
+}  // namespace
+
+orb::SearchWindow LandmarkView::Window(double radius_px, int octaves_below,
+                                       int octaves_above) const {
+  return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+          static_cast<float>(radius_px), octave - octaves_below, octave + octaves_above};
+}
+
+std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3& world_from_camera,
+                                            const Camera& camera,
+                                            const std::vector<double>& octave_scales) {
+  constexpr double kMinViewCosine = 0.5;
+  constexpr double kDistanceTolerance = 1.25;
+  const Eigen::Vector3d offset = landmark.in_world - world_from_camera.translation();
+  const double distance = offset.norm();
+  const double min_distance = landmark.max_distance / octave_scales.back();
+  if (distance > landmark.max_distance * kDistanceTolerance ||
+      distance * kDistanceTolerance < min_distance) {
+    return std::nullopt;
+  }
+  LandmarkView view;
+  view.view_cosine = offset.dot(landmark.view_direction) / distance;
+  if (view.view_cosine < kMinViewCosine) return std::nullopt;
+  const auto pixel = camera.Project(world_from_camera.rotation().Inverse() * offset);
+  if (!pixel || !camera.Contains(*pixel)) return std::nullopt;
+  view.pixel = *pixel;
+  view.octave = PredictOctave(landmark.max_distance, distance, octave_scales);
+  return view;
+}
+
+}  // namespace corvo

@@ -1,0 +1,112 @@
+#include "vo/mapping/map_adjuster.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "vo/optimization/bundle_adjuster.h"
+#include "vo/optimization/bundle_calibrator.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kMinCalibrationKeyframes = 5;
+
+/// Kept keyframes of the newest one's segment.
+int CountKept(const Map& map) {
+  const int segment = map.SegmentOf(map.num_keyframes() - 1);
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  return static_cast<int>(std::count_if(
+      kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
+}
+
+/// Frames between the newest keyframe and the kept one before it, in its segment; or 0.
+int NewestSpacing(const Map& map) {
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const Keyframe& newest = map.keyframe(kept.back());
+  if (kept.size() < 2) return 0;
+  const Keyframe& before = map.keyframe(kept[kept.size() - 2]);
+  return before.segment == newest.segment ? newest.frame.index - before.frame.index : 0;
+}
+
+/// Few where keyframes follow each other fast: what they see is lost before it is adjusted, and
+/// with it the scale.
+int FramesBesideWindow(const Map& map) { return std::clamp(NewestSpacing(map) - 1, 2, 4); }
+
+}  // namespace
+
+MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& options)
+    : prior_(prior), camera_(prior.given), options_(options) {
+  prior_.Validate();
+  if (!options.calibration.enabled) prior_.free.clear();
+  estimate_ = PriorEstimate(prior_);
+}
+
+void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
+  const KeyframeId newest = map.num_keyframes() - 1;
+  if (window_.result.valid() || newest == newest_) return;
+  newest_ = newest;
+  if (!calibration_.result.valid() && CountKept(map) >= NextCalibration()) {
+    StartCalibration(map, noise, frame);
+  }
+  window_.due_frame = frame + FramesBesideWindow(map);
+  window_.result = std::async(
+      std::launch::async,
+      [camera = camera_, options = options_.bundle_adjuster](Bundle&& bundle) {
+        AdjustBundle(camera, options, bundle);
+        return std::move(bundle);
+      },
+      CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
+}
+
+void MapAdjuster::StartLastCalibration(const Map& map, const KeypointNoise& noise, int frame) {
+  if (contradicts_prior_ || newest_calibrated_ == map.num_keyframes() - 1) return;
+  if (CountKept(map) >= kMinCalibrationKeyframes) StartCalibration(map, noise, frame);
+}
+
+int MapAdjuster::NextCalibration() const {
+  const int next = contradicts_prior_ ? 2 * num_calibrated_ : num_calibrated_ * 4 / 3;
+  return std::max(kMinCalibrationKeyframes, next);
+}
+
+void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
+  constexpr int kMaxFramesBeside = 20;
+  if (prior_.num_free() == 0) return;
+  num_calibrated_ = CountKept(map);
+  newest_calibrated_ = map.num_keyframes() - 1;
+  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 4);
+  const AdjustmentWindow window = SelectNewestKeyframes(
+      map, newest_calibrated_, options_.calibration.max_keyframes, options_.bundle_adjuster);
+  calibration_.result = std::async(
+      std::launch::async,
+      [prior = prior_, start = estimate_.difference,
+       options = options_.calibration](Bundle&& bundle) {
+        Calibrated result{std::move(bundle), std::nullopt};
+        result.estimate = CalibrateBundle(prior, start, options, result.bundle);
+        return result;
+      },
+      CopyBundle(map, window, noise));
+}
+
+bool MapAdjuster::Finish(Map& map, int frame) {
+  const bool calibrates = calibration_.IsDue(frame);
+  // A window is about the camera and the map before the calibration.
+  const bool adjusts = window_.IsDue(frame) || (calibrates && window_.result.valid());
+  if (adjusts) WriteBack(window_.result.get(), map);
+  if (calibrates) FinishCalibration(map);
+  return adjusts || calibrates;
+}
+
+void MapAdjuster::FinishCalibration(Map& map) {
+  const Calibrated result = calibration_.result.get();
+  if (!result.estimate) return;
+  contradicts_prior_ = !prior_.Allows(result.estimate->difference);
+  if (!contradicts_prior_) WriteBack(result.bundle, map);
+  estimate_ = contradicts_prior_ ? PriorEstimate(prior_) : *result.estimate;
+  const Camera camera(prior_.Apply(estimate_.difference));
+  if (camera == camera_) return;
+  camera_ = camera;
+  newest_ = kNoId;  // What is newer is to be adjusted to it.
+}
+
+}  // namespace corvo

@@ -1,0 +1,111 @@
+#include "vo/offline/camera_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vo/camera/camera_fit.h"
+#include "vo/core/conventions.h"
+
+namespace corvo {
+namespace {
+
+CameraModel ModelOf(CameraDescription description) {
+  switch (description) {
+    case CameraDescription::kKb4:
+      return CameraModel::kKb4;
+    case CameraDescription::kFov:
+      return CameraModel::kFov;
+    case CameraDescription::kPinhole:
+    case CameraDescription::kRadtan:
+      break;
+  }
+  return CameraModel::kPinhole;
+}
+
+std::vector<FreeParameter> DistortionOf(CameraDescription description) {
+  constexpr double kRadialSigma = 0.3, kTangentialSigma = 0.01, kOmegaSigma = 1;
+  switch (description) {
+    case CameraDescription::kPinhole:
+      break;
+    case CameraDescription::kRadtan:
+      return {{"k1", kRadialSigma},
+              {"k2", kRadialSigma},
+              {"p1", kTangentialSigma},
+              {"p2", kTangentialSigma}};
+    case CameraDescription::kKb4:
+      return {
+          {"k1", kRadialSigma}, {"k2", kRadialSigma}, {"k3", kRadialSigma}, {"k4", kRadialSigma}};
+    case CameraDescription::kFov:
+      return {{"omega", kOmegaSigma}};
+  }
+  return {};
+}
+
+double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adjustment) {
+  if (adjustment.outcome != AdjustmentOutcome::kLowered) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return prior.num_free() * std::log(2.0 * adjustment.num_sightings) + 2 * adjustment.final_cost;
+}
+
+}  // namespace
+
+std::string_view ToString(CameraDescription description) {
+  switch (description) {
+    case CameraDescription::kPinhole:
+      return "pinhole";
+    case CameraDescription::kRadtan:
+      return "radtan";
+    case CameraDescription::kKb4:
+      return "kb4";
+    case CameraDescription::kFov:
+      return "fov";
+  }
+  return "";
+}
+
+std::vector<CameraDescription> AllCameraDescriptions() {
+  return {CameraDescription::kPinhole, CameraDescription::kFov, CameraDescription::kRadtan,
+          CameraDescription::kKb4};
+}
+
+CameraPrior PriorOf(CameraDescription description, const Camera& start) {
+  const double center_sigma = 0.02 * start.width();
+  CameraPrior prior{FitCamera(start, ModelOf(description)),
+                    {{"focal"}, {"cx", center_sigma}, {"cy", center_sigma}}};
+  if (description == CameraDescription::kPinhole)
+    prior.given = WithoutDistortion(prior.given, CameraModel::kPinhole);
+  prior.given.cx = 0.5 * (start.width() - 1);
+  prior.given.cy = 0.5 * (start.height() - 1);
+  for (const FreeParameter& parameter : DistortionOf(description)) prior.free.push_back(parameter);
+  return prior;
+}
+
+CameraCandidate AdjustCandidate(CameraDescription description, const Camera& start,
+                                const std::vector<Bundle>& bundles,
+                                const AdjustmentProgress& progress) {
+  CameraCandidate candidate{description, PriorOf(description, start), {}, bundles, 0};
+  candidate.adjustment =
+      AdjustFully(candidate.prior, candidate.prior.given, {}, candidate.bundles, progress);
+  candidate.information_criterion = InformationCriterion(candidate.prior, candidate.adjustment);
+  return candidate;
+}
+
+int SelectCandidate(const std::vector<CameraCandidate>& candidates) {
+  constexpr double kVeryStrongEvidence = 10;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const CameraCandidate& candidate : candidates) {
+    lowest = std::min(lowest, candidate.information_criterion);
+  }
+  int selected = kNoId;
+  for (int i = 0; i < static_cast<int>(candidates.size()) && std::isfinite(lowest); ++i) {
+    if (candidates[i].information_criterion > lowest + kVeryStrongEvidence) continue;
+    const bool is_simpler =
+        selected == kNoId || candidates[i].prior.num_free() < candidates[selected].prior.num_free();
+    if (is_simpler) selected = i;
+  }
+  return selected;
+}
+
+}  // namespace corvo

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vo/camera/camera.h"
+#include "vo/camera/camera_prior.h"
+#include "vo/optimization/bundle.h"
+#include "vo/optimization/full_adjustment.h"
+
+namespace corvo {
+
+/// A way to describe a camera of which nothing is known.
+enum class CameraDescription {
+  kPinhole,  ///< Without distortion.
+  kRadtan,   ///< Pinhole with k1, k2, p1 and p2.
+  kKb4,      ///< As CameraModel::kKb4.
+  kFov,      ///< As CameraModel::kFov.
+};
+
+/// "pinhole", "radtan", "kb4" or "fov".
+std::string_view ToString(CameraDescription description);
+
+/// All of them, the one with the fewest parameters first.
+std::vector<CameraDescription> AllCameraDescriptions();
+
+/// What is known of a camera so described before its pictures are seen, besides a start: of the
+/// focal length nothing, of the principal point that it lies near the picture's centre (sigma: 2%
+/// of the width), of its distortion that it is not beyond what lenses have (sigma: radial terms
+/// 0.3, tangential ones 0.01, omega 1). Pixels are square: fx and fy keep their ratio.
+CameraPrior PriorOf(CameraDescription description, const Camera& start);
+
+/// Bundles adjusted with a camera so described.
+struct CameraCandidate {
+  CameraDescription description = CameraDescription::kPinhole;
+  CameraPrior prior;
+  FullAdjustment adjustment;
+  std::vector<Bundle> bundles;  ///< As they were, unless adjustment.outcome is kLowered.
+  /// Bayesian information criterion (Schwarz 1978), k ln(n) + 2 cost, with k free parameters and n
+  /// coordinates; infinite unless adjustment.outcome is kLowered.
+  double information_criterion = 0;
+};
+
+/// Adjusts bundles that one camera has seen, from a start on, with a camera so described. See
+/// AdjustFully.
+CameraCandidate AdjustCandidate(CameraDescription description, const Camera& start,
+                                const std::vector<Bundle>& bundles,
+                                const AdjustmentProgress& progress = {});
+
+/// The index of the candidate with the fewest parameters of those whose criterion is within 10 of
+/// the lowest: beyond that the evidence is "very strong" (Kass and Raftery 1995). kNoId where no
+/// candidate was lowered.
+int SelectCandidate(const std::vector<CameraCandidate>& candidates);
+
+}  // namespace corvo

@@ -1,0 +1,330 @@
+#include "vo/offline/focal_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+
+#include "vo/geometry/epipolar_motion.h"
+#include "vo/geometry/ray_match.h"
+#include "vo/geometry/rotation_estimator.h"
+#include "vo/geometry/usac_params.h"
+#include "vo/math/median.h"
+
+namespace corvo {
+namespace {
+
+constexpr double kMinFovDeg = 25;
+constexpr double kMaxFovDeg = 120;
+constexpr double kUnknownFovDeg = 70;
+constexpr int kNumCoarse = 27;         // Focal lengths, about 8% apart.
+constexpr int kNumFine = 4;            // Either side of the best, at a quarter of that.
+constexpr int kMinMatches = 30;        // Of a pair.
+constexpr double kMaxSigma = 0.15;     // Of a focal length that is determined.
+constexpr double kUselessSigma = 0.5;  // Any focal length is as good.
+
+double FocalOf(double fov_deg, double width) {
+  return 0.5 * width / std::tan(fov_deg * std::numbers::pi / 360);
+}
+
+FocalCandidate MakeCandidate(double focal, double width, double cost) {
+  return {focal, 2 * std::atan(0.5 * width / focal) * 180 / std::numbers::pi, cost};
+}
+
+std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches) {
+  std::vector<cv::Point2d> first, second;
+  for (const PixelMatch& match : matches) {
+    first.emplace_back(match.first.x(), match.first.y());
+    second.emplace_back(match.second.x(), match.second.y());
+  }
+  constexpr double kThresholdPx = 2;
+  cv::Mat mask;
+  const cv::Mat found = cv::findFundamentalMat(first, second, mask, MakeUsacParams(kThresholdPx));
+  if (found.rows != 3 || found.cols != 3) return std::nullopt;
+  Eigen::Matrix3d fundamental;
+  cv::cv2eigen(found, fundamental);
+  if (!fundamental.allFinite()) return std::nullopt;
+  return fundamental;
+}
+
+/// In units of the match's sigma.
+double SampsonError(const Eigen::Matrix3d& fundamental, const PixelMatch& match) {
+  const Eigen::Vector3d in_second = fundamental * match.first.homogeneous();
+  const Eigen::Vector3d in_first = fundamental.transpose() * match.second.homogeneous();
+  const double norm =
+      std::sqrt(in_second.head<2>().squaredNorm() + in_first.head<2>().squaredNorm());
+  return std::abs(match.second.homogeneous().dot(in_second)) / (norm * match.sigma);
+}
+
+/// A pair whose wrong matches are left out; pixels from the picture's centre.
+struct Pair {
+  PixelMatches matches;
+  Eigen::Matrix3d fundamental;
+  double noise = 0;  // Median Sampson error as a standard deviation, in units of the sigmas.
+};
+
+std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& centre) {
+  constexpr double kNormalFromMedian = 1.4826;
+  constexpr double kMaxError = 3;
+  if (matches.size() < kMinMatches) return std::nullopt;
+  PixelMatches centred = matches;
+  for (PixelMatch& match : centred) {
+    match.first -= centre;
+    match.second -= centre;
+  }
+  const std::optional<Eigen::Matrix3d> fundamental = FindFundamental(centred);
+  if (!fundamental) return std::nullopt;
+  Pair pair{{}, *fundamental, 0};
+  std::vector<double> errors;
+  for (const PixelMatch& match : centred) {
+    const double error = SampsonError(*fundamental, match);
+    if (!(error < kMaxError)) continue;
+    pair.matches.push_back(match);
+    errors.push_back(error);
+  }
+  if (errors.size() < kMinMatches) return std::nullopt;
+  pair.noise = kNormalFromMedian * Median(std::move(errors));
+  return pair;
+}
+
+/// The nearest motion to the essential matrix of a focal length (Hartley and Zisserman, 9.6.2);
+/// which of its four does not matter to epipolar lines.
+EpipolarMotion MotionOf(const Eigen::Matrix3d& fundamental, double focal) {
+  const Eigen::DiagonalMatrix<double, 3> calibration(focal, focal, 1);
+  const Eigen::Matrix3d essential = calibration * fundamental * calibration;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d w;
+  w << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  Eigen::Matrix3d rotation = svd.matrixU() * w * svd.matrixV().transpose();
+  if (rotation.determinant() < 0) rotation = -rotation;
+  return {SO3(rotation), svd.matrixU().col(2)};
+}
+
+std::vector<RayMatch> ToRays(const PixelMatches& matches, double focal, double noise) {
+  std::vector<RayMatch> rays;
+  rays.reserve(matches.size());
+  for (const PixelMatch& match : matches) {
+    rays.push_back({match.first / focal, match.second / focal, noise * match.sigma / focal});
+  }
+  return rays;
+}
+
+using EpipolarFit = Minimum<EpipolarMotion>;
+
+void Improve(EpipolarFit fit, EpipolarFit& best) {
+  if (fit.cost < best.cost) best = std::move(fit);
+}
+
+/// Adds the squared distance of a match's first ray, turned, from its second, in units of its
+/// sigma, under Cauchy's loss; a step ω makes R to Exp(ω) R.
+void AddTransferError(const RayMatch& match, const SO3& rotation, NormalEquations<3>& equations) {
+  const Eigen::Vector3d turned = rotation * match.first.homogeneous();
+  if (turned.z() <= 0) return;
+  const Eigen::Vector2d ray = turned.hnormalized();
+  const Eigen::Vector2d error = (ray - match.second) / match.sigma;
+  Eigen::Matrix<double, 2, 3> by_point;
+  by_point << 1, 0, -ray.x(), 0, 1, -ray.y();
+  const Eigen::Matrix<double, 2, 3> by_step =
+      -by_point * SO3::Hat(turned) / (turned.z() * match.sigma);
+  const double weight = 1 / (1 + error.squaredNorm());
+  equations.cost += std::log1p(error.squaredNorm());
+  equations.hessian += weight * by_step.transpose() * by_step;
+  equations.gradient += weight * by_step.transpose() * error;
+}
+
+/// The least robust transfer error of a rotation: of both axes, where FitEpipolarMotion has one.
+double RotationCost(const std::vector<RayMatch>& matches) {
+  constexpr int kMaxIterations = 10;
+  const auto build = [&](const SO3& rotation) {
+    NormalEquations<3> equations;
+    for (const RayMatch& match : matches) AddTransferError(match, rotation, equations);
+    return equations;
+  };
+  const auto plus = [](const SO3& rotation, const Eigen::Vector3d& step) {
+    return SO3::Exp(step) * rotation;
+  };
+  return MinimizeLevenbergMarquardt<3>(EstimateRotation(matches), build, plus, kMaxIterations).cost;
+}
+
+/// Costs of one pair over focal lengths that neighbour one another.
+std::vector<double> RotationCosts(const Pair& pair, const std::vector<double>& focals,
+                                  double noise) {
+  std::vector<double> costs;
+  for (const double focal : focals) {
+    costs.push_back(RotationCost(ToRays(pair.matches, focal, noise)));
+  }
+  return costs;
+}
+
+/// Every focal length starts from the fundamental matrix and from the best motions beside it, so
+/// that none stays in a minimum of its own.
+std::vector<double> EpipolarCosts(const Pair& pair, const std::vector<double>& focals,
+                                  double noise) {
+  std::vector<EpipolarFit> fits;
+  for (const double focal : focals) {
+    const std::vector<RayMatch> rays = ToRays(pair.matches, focal, noise);
+    EpipolarFit fit = FitEpipolarMotion(rays, MotionOf(pair.fundamental, focal));
+    if (!fits.empty()) Improve(FitEpipolarMotion(rays, fits.back().state), fit);
+    fits.push_back(std::move(fit));
+  }
+  for (int i = static_cast<int>(focals.size()) - 2; i >= 0; --i) {
+    const std::vector<RayMatch> rays = ToRays(pair.matches, focals[i], noise);
+    Improve(FitEpipolarMotion(rays, fits[i + 1].state), fits[i]);
+  }
+  std::vector<double> costs;
+  for (const EpipolarFit& fit : fits) costs.push_back(fit.cost);
+  return costs;
+}
+
+/// A rotation costs two errors a match and no depth, a motion one and a depth: of matches without
+/// parallax the rotation's robust cost is higher by 0.39 each, and parallax of one sigma adds 0.3.
+bool IsRotation(double rotation_cost, double epipolar_cost, std::size_t num_matches) {
+  constexpr double kMaxExcess = 0.6;
+  return rotation_cost < epipolar_cost + kMaxExcess * static_cast<double>(num_matches);
+}
+
+/// A pair's costs over the focal lengths, by the model that explains it.
+std::vector<double> PairCosts(const Pair& pair, const std::vector<double>& focals, double noise) {
+  std::vector<double> epipolar = EpipolarCosts(pair, focals, noise);
+  std::vector<double> rotation = RotationCosts(pair, focals, noise);
+  const double least_epipolar = *std::min_element(epipolar.begin(), epipolar.end());
+  const double least_rotation = *std::min_element(rotation.begin(), rotation.end());
+  return IsRotation(least_rotation, least_epipolar, pair.matches.size()) ? rotation : epipolar;
+}
+
+/// Costs by pair and focal length.
+struct Sweep {
+  std::vector<double> focals;  // In geometric steps, descending.
+  std::vector<std::vector<double>> costs;
+
+  double Total(std::size_t i) const {
+    double total = 0;
+    for (const std::vector<double>& pair : costs) total += pair[i];
+    return total;
+  }
+  std::size_t Best() const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < focals.size(); ++i) {
+      if (Total(i) < Total(best)) best = i;
+    }
+    return best;
+  }
+  double LogStep() const { return std::log(focals[0] / focals[1]); }
+};
+
+Sweep MakeSweep(const std::vector<Pair>& pairs, double longest, double shortest, int count,
+                double noise) {
+  Sweep sweep;
+  for (int i = 0; i < count; ++i) {
+    sweep.focals.push_back(longest * std::pow(shortest / longest, i / (count - 1.0)));
+  }
+  for (const Pair& pair : pairs) sweep.costs.push_back(PairCosts(pair, sweep.focals, noise));
+  return sweep;
+}
+
+/// Of a fine sweep: where the parabola through the costs around the best has its minimum, and how
+/// surely.
+struct Peak {
+  double focal = 0;
+  double variance = std::numeric_limits<double>::infinity();  // Of log focal.
+  double inflation = 1;  // Of the variance over what the noise of the pixels makes of it.
+};
+
+/// The variance is the larger of 2 / H, of a cost that is χ², and of Σ g² / H² over the slopes g of
+/// the pairs at the common minimum (White's sandwich), H the second derivative.
+Peak FindPeak(const Sweep& sweep) {
+  const std::size_t best = sweep.Best();
+  Peak peak{sweep.focals[best]};
+  if (best == 0 || best + 1 == sweep.focals.size()) return peak;
+  const double step = sweep.LogStep();
+  double slope = 0, curvature = 0, squared_slopes = 0;
+  for (const std::vector<double>& cost : sweep.costs) {
+    const double bend = (cost[best - 1] + cost[best + 1] - 2 * cost[best]) / (step * step);
+    slope += (cost[best + 1] - cost[best - 1]) / (2 * step);
+    curvature += bend;
+  }
+  if (!(curvature > 0)) return peak;
+  const double offset = std::clamp(-slope / curvature, -step, step);
+  for (const std::vector<double>& cost : sweep.costs) {
+    const double bend = (cost[best - 1] + cost[best + 1] - 2 * cost[best]) / (step * step);
+    const double at_peak = (cost[best + 1] - cost[best - 1]) / (2 * step) + bend * offset;
+    squared_slopes += at_peak * at_peak;
+  }
+  const double from_noise = 2 / curvature;
+  peak.focal *= std::exp(-offset);
+  peak.variance = std::max(from_noise, squared_slopes / (curvature * curvature));
+  peak.inflation = peak.variance / from_noise;
+  return peak;
+}
+
+/// Variance of log focal around `focal` over the whole sweep, its costs taken as χ² of pairs that
+/// contradict one another by `inflation`: it sees other minima and flat sides, which the curvature
+/// does not.
+double SpreadVariance(const Sweep& sweep, double focal, double inflation) {
+  const double least = sweep.Total(sweep.Best());
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < sweep.focals.size(); ++i) {
+    const double weight = std::exp(-0.5 * (sweep.Total(i) - least) / inflation);
+    sum += weight * std::pow(std::log(sweep.focals[i] / focal), 2);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+CameraParameters CentredPinhole(double focal, int width, int height) {
+  CameraParameters camera;
+  camera.width = width;
+  camera.height = height;
+  camera.fx = camera.fy = focal;
+  camera.cx = 0.5 * (width - 1);
+  camera.cy = 0.5 * (height - 1);
+  return camera;
+}
+
+/// Both sweeps, of at least one pair.
+void SearchAmong(const std::vector<Pair>& pairs, FocalSearchResult& result) {
+  constexpr double kMinNoise = 1e-3;  // Exact matches.
+  const double width = result.camera.width;
+  std::vector<double> noises;
+  for (const Pair& pair : pairs) noises.push_back(pair.noise);
+  const double noise = std::max(kMinNoise, Median(noises));
+  const Sweep coarse =
+      MakeSweep(pairs, FocalOf(kMinFovDeg, width), FocalOf(kMaxFovDeg, width), kNumCoarse, noise);
+  const std::size_t best = coarse.Best();
+  for (std::size_t i = 0; i < coarse.focals.size(); ++i) {
+    result.sweep.push_back(MakeCandidate(coarse.focals[i], width, coarse.Total(i)));
+  }
+  if (best == 0 || best + 1 == coarse.focals.size()) return;
+  const Sweep fine =
+      MakeSweep(pairs, coarse.focals[best - 1], coarse.focals[best + 1], 2 * kNumFine + 1, noise);
+  const Peak peak = FindPeak(fine);
+  const double spread = SpreadVariance(coarse, peak.focal, peak.inflation);
+  const bool is_wide = spread > coarse.LogStep() * coarse.LogStep();
+  result.focal_sigma = std::sqrt(peak.variance + (is_wide ? spread : 0));
+  result.is_determined = result.focal_sigma < kMaxSigma;
+  if (result.focal_sigma < kUselessSigma) result.camera.fx = result.camera.fy = peak.focal;
+}
+
+}  // namespace
+
+FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width, int height) {
+  FocalSearchResult result;
+  result.camera = CentredPinhole(FocalOf(kUnknownFovDeg, width), width, height);
+  result.camera.Validate();
+  const Eigen::Vector2d centre(result.camera.cx, result.camera.cy);
+  std::vector<Pair> usable;
+  for (const PixelMatches& matches : pairs) {
+    if (std::optional<Pair> pair = MakePair(matches, centre)) usable.push_back(std::move(*pair));
+  }
+  result.num_pairs = static_cast<int>(usable.size());
+  if (!usable.empty()) SearchAmong(usable, result);
+  return result;
+}
+
+}  // namespace corvo

@@ -1,0 +1,151 @@
+#include "vo/offline/sequence_record.h"
+
+#include <algorithm>
+
+#include "vo/optimization/full_adjustment.h"
+
+namespace corvo {
+namespace {
+
+/// At most `max_count` of the elements, evenly spread.
+std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_count) {
+  const auto size = static_cast<long>(elements.size());
+  if (size <= max_count) return elements;
+  std::vector<FrameKey> spread;
+  for (long i = 0; i < max_count; ++i) {
+    spread.push_back(elements[(2 * i + 1) * size / (2 * max_count)]);
+  }
+  return spread;
+}
+
+/// What a view of a bundle saw.
+struct Entry {
+  LandmarkSighting sighting;
+  int view;
+};
+
+/// Adds the points and sightings of a bundle that has its views.
+void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
+               std::vector<Entry> entries, Bundle& bundle) {
+  const auto key = [](const Entry& e) { return std::pair(e.sighting.landmark, e.view); };
+  std::stable_sort(entries.begin(), entries.end(),
+                   [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  const SE3 local_from_world = bundle.world_from_local.Inverse();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto& [sighting, view] = entries[i];
+    if (i > 0 && key(entries[i]) == key(entries[i - 1])) continue;  // Of merged landmarks.
+    if (bundle.points.empty() || bundle.points.back().landmark != sighting.landmark) {
+      bundle.points.push_back(
+          {sighting.landmark, local_from_world * in_world.at(sighting.landmark)});
+    }
+    bundle.sightings.push_back({view, static_cast<int>(bundle.points.size()) - 1, kNoId,
+                                sighting.pixel.cast<double>(), sighting.sigma_px});
+  }
+}
+
+}  // namespace
+
+SequenceRecord::SequenceRecord(const Odometry& odometry, const SightingsSource& sightings,
+                               const SequenceOptions& options)
+    : options_(options) {
+  std::set<FrameKey> others;
+  const auto keep = [&](const FrameSightings& seen) {
+    for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
+    if (seen.keyframe == kNoId) {
+      others.insert(KeyOf(seen));
+    } else if (!odometry.map().IsRetired(seen.keyframe)) {
+      AddKeyframe(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
+    }
+  };
+  sightings(keep);
+  odometry.VisitKeyframes(keep);
+  KeepLandmarks();
+  const std::set<FrameKey> chosen = ChooseBetween(others);
+  const Trajectory trajectory = odometry.GetTrajectory();
+  sightings([&](const FrameSightings& seen) {
+    if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
+    frames_[KeyOf(seen)] = {KnownOf(seen), *trajectory.frames[seen.frame].world_from_camera};
+  });
+}
+
+LandmarkId SequenceRecord::Resolve(LandmarkId id) const {
+  for (auto merged = merged_into_.find(id); merged != merged_into_.end();
+       merged = merged_into_.find(id)) {
+    id = merged->second;
+  }
+  return id;
+}
+
+void SequenceRecord::AddKeyframe(const FrameSightings& seen, const SE3& world_from_camera) {
+  AdjustedFrame& frame = frames_[KeyOf(seen)];
+  frame.world_from_camera = world_from_camera;
+  FrameSightings& all = frame.seen;
+  all.frame = seen.frame;
+  all.segment = seen.segment;
+  all.keyframe = seen.keyframe;
+  all.landmarks.insert(all.landmarks.end(), seen.landmarks.begin(), seen.landmarks.end());
+  all.in_world.insert(all.in_world.end(), seen.in_world.begin(), seen.in_world.end());
+}
+
+void SequenceRecord::KeepLandmarks() {
+  for (auto& [key, frame] : frames_) {
+    for (std::size_t i = 0; i < frame.seen.landmarks.size(); ++i) {
+      LandmarkId& landmark = frame.seen.landmarks[i].landmark;
+      landmark = Resolve(landmark);
+      in_world_[landmark] = frame.seen.in_world[i];
+    }
+  }
+}
+
+std::set<FrameKey> SequenceRecord::ChooseBetween(const std::set<FrameKey>& others) const {
+  const int num_keyframes = std::max(1, static_cast<int>(frames_.size()));
+  const int num_between =
+      std::clamp(options_.max_frames / num_keyframes - 1, 0, options_.frames_between);
+  std::set<FrameKey> chosen;
+  std::vector<FrameKey> between;
+  const auto choose = [&] {
+    const std::vector<FrameKey> spread = Spread(between, num_between);
+    chosen.insert(spread.begin(), spread.end());
+    between.clear();
+  };
+  auto keyframe = frames_.begin();
+  for (const FrameKey& key : others) {
+    if (frames_.count(key) > 0) continue;
+    for (; keyframe != frames_.end() && keyframe->first < key; ++keyframe) choose();
+    between.push_back(key);
+  }
+  choose();
+  return chosen;
+}
+
+FrameSightings SequenceRecord::KnownOf(const FrameSightings& seen) const {
+  FrameSightings known{seen.frame, seen.segment, seen.keyframe, {}, {}, {}};
+  for (LandmarkSighting sighting : seen.landmarks) {
+    sighting.landmark = Resolve(sighting.landmark);
+    if (in_world_.count(sighting.landmark) > 0) known.landmarks.push_back(sighting);
+  }
+  return known;
+}
+
+std::vector<Bundle> SequenceRecord::MakeBundles() const {
+  std::map<int, Bundle> bundles;
+  std::map<int, std::vector<Entry>> entries;
+  for (const auto& [key, frame] : frames_) {
+    Bundle& bundle = bundles[frame.seen.segment];
+    if (bundle.views.empty()) bundle.world_from_local = frame.world_from_camera;
+    const int view = static_cast<int>(bundle.views.size());
+    bundle.views.push_back({frame.seen.keyframe, false,
+                            (bundle.world_from_local.Inverse() * frame.world_from_camera).data()});
+    for (const LandmarkSighting& sighting : frame.seen.landmarks) {
+      entries[frame.seen.segment].push_back({sighting, view});
+    }
+  }
+  std::vector<Bundle> thinned;
+  for (auto& [segment, bundle] : bundles) {
+    AddPoints(in_world_, entries[segment], bundle);
+    thinned.push_back(ThinPoints(bundle, options_.max_points));
+  }
+  return thinned;
+}
+
+}  // namespace corvo

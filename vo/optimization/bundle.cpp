@@ -1,0 +1,182 @@
+#include "vo/optimization/bundle.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "vo/lie/sim3.h"
+#include "vo/math/median.h"
+#include "vo/optimization/pose_optimizer.h"
+
+namespace corvo {
+namespace {
+
+std::vector<Bundle::View> CopyViews(const Map& map, const AdjustmentWindow& window,
+                                    const SE3& local_from_world) {
+  std::vector<Bundle::View> views;
+  const auto copy = [&](KeyframeId id, bool is_held) {
+    views.push_back({id, is_held, (local_from_world * map.WorldFromKeyframe(id)).data()});
+  };
+  for (const KeyframeId id : window.moving) copy(id, false);
+  for (const KeyframeId id : window.held) copy(id, true);
+  std::sort(views.begin(), views.end(),
+            [](const auto& a, const auto& b) { return a.keyframe < b.keyframe; });
+  return views;
+}
+
+/// Index of a keyframe's view; kNoId if the bundle has none.
+int FindView(const std::vector<Bundle::View>& views, KeyframeId keyframe) {
+  const auto found =
+      std::lower_bound(views.begin(), views.end(), keyframe,
+                       [](const auto& view, KeyframeId id) { return view.keyframe < id; });
+  if (found == views.end() || found->keyframe != keyframe) return kNoId;
+  return static_cast<int>(found - views.begin());
+}
+
+void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world,
+                  const KeypointNoise& noise, Bundle& bundle) {
+  const Landmark& landmark = *map.FindLandmark(id);
+  const int point = static_cast<int>(bundle.points.size());
+  bundle.points.push_back({id, local_from_world * landmark.in_world});
+  for (const Observation& observation : landmark.observations) {
+    const int view = FindView(bundle.views, observation.keyframe);
+    if (view == kNoId) continue;
+    const Frame& frame = map.keyframe(observation.keyframe).frame;
+    const int k = observation.keypoint;
+    bundle.sightings.push_back({view, point, k, frame.pixel(k), noise.Sigma(frame, k)});
+  }
+}
+
+/// world_after_from_world_before of what each view sees.
+std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
+  std::vector<SE3> before;
+  for (const Bundle::View& view : bundle.views) {
+    before.push_back(map.WorldFromKeyframe(view.keyframe).Inverse());
+  }
+  const std::vector<SE3> after = CamerasFromLocal(bundle);
+  std::vector<std::vector<double>> ratios(bundle.views.size());
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    const Bundle::Point& point = bundle.points[sighting.point];
+    const Landmark* landmark = map.FindLandmark(point.landmark);
+    if (landmark == nullptr || !sighting.is_inlier) continue;
+    const double old_depth = (before[sighting.view] * landmark->in_world).z();
+    const double new_depth = (after[sighting.view] * point.in_local).z();
+    if (old_depth > 0 && new_depth > 0) ratios[sighting.view].push_back(new_depth / old_depth);
+  }
+  std::vector<Sim3> moves;
+  for (std::size_t view = 0; view < bundle.views.size(); ++view) {
+    const double scale = ratios[view].empty() ? 1 : Median(ratios[view]);
+    moves.push_back(Sim3(bundle.world_from_local * after[view].Inverse()) *
+                    Sim3(scale, SO3(), Eigen::Vector3d::Zero()) * Sim3(before[view]));
+  }
+  return moves;
+}
+
+/// The newest view that is not held among the observations of a landmark; kNoId if there is none.
+int NewestMovingView(const Bundle& bundle, const Landmark& landmark) {
+  for (auto o = landmark.observations.rbegin(); o != landmark.observations.rend(); ++o) {
+    const int view = FindView(bundle.views, o->keyframe);
+    if (view != kNoId && !bundle.views[view].is_held) return view;
+  }
+  return kNoId;
+}
+
+bool IsInBundle(const Bundle& bundle, LandmarkId id) {
+  const auto found = std::lower_bound(
+      bundle.points.begin(), bundle.points.end(), id,
+      [](const Bundle::Point& point, LandmarkId other) { return point.landmark < other; });
+  return found != bundle.points.end() && found->landmark == id;
+}
+
+/// Moves what the bundle leaves out.
+void TakeAlong(const Bundle& bundle, Map& map) {
+  int newest = kNoId;
+  std::vector<KeyframeId> moving;
+  for (int view = 0; view < static_cast<int>(bundle.views.size()); ++view) {
+    if (bundle.views[view].is_held || !map.IsKept(bundle.views[view].keyframe)) continue;
+    newest = view;
+    moving.push_back(bundle.views[view].keyframe);
+  }
+  if (newest == kNoId) return;
+  const std::vector<Sim3> moves = FindMoves(bundle, map);
+  const KeyframeId last = bundle.views[newest].keyframe;
+  for (const KeyframeId id : map.KeptKeyframes()) {
+    if (id <= last || map.SegmentOf(id) != map.SegmentOf(last)) continue;
+    moving.push_back(id);
+    map.SetPose(id, TransformPose(moves[newest], map.WorldFromKeyframe(id)));
+  }
+  for (const LandmarkId id : map.FindSeen(moving)) {
+    if (IsInBundle(bundle, id)) continue;
+    const Landmark& landmark = *map.FindLandmark(id);
+    int view = NewestMovingView(bundle, landmark);
+    if (view == kNoId && landmark.observations.front().keyframe > last) view = newest;
+    if (view != kNoId) map.SetPosition(id, moves[view] * landmark.in_world);
+  }
+}
+
+/// Whether the map still has it.
+bool HasObservation(const Map& map, LandmarkId landmark, const Observation& observation) {
+  return map.FindLandmark(landmark) != nullptr && map.IsKept(observation.keyframe) &&
+         map.keyframe(observation.keyframe).frame.landmarks[observation.keypoint] == landmark;
+}
+
+}  // namespace
+
+std::vector<SE3> CamerasFromLocal(const Bundle& bundle) {
+  std::vector<SE3> poses;
+  for (const Bundle::View& view : bundle.views) poses.push_back(view.Pose().Inverse());
+  return poses;
+}
+
+std::vector<int> SightingOffsets(const Bundle& bundle) {
+  std::vector<int> offsets(bundle.points.size() + 1, 0);
+  for (const Bundle::Sighting& sighting : bundle.sightings) ++offsets[sighting.point + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  return offsets;
+}
+
+Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise) {
+  Bundle bundle;
+  KeyframeId oldest = window.moving.front();
+  if (!window.held.empty()) oldest = std::min(oldest, window.held.front());
+  bundle.world_from_local = map.WorldFromKeyframe(oldest);
+  const SE3 local_from_world = bundle.world_from_local.Inverse();
+  bundle.views = CopyViews(map, window, local_from_world);
+  bundle.points.reserve(window.landmarks.size());
+  for (const LandmarkId id : window.landmarks) {
+    CopyLandmark(map, id, local_from_world, noise, bundle);
+  }
+  return bundle;
+}
+
+void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle) {
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
+  for (Bundle::Sighting& sighting : bundle.sightings) {
+    const PointObservation observation{bundle.points[sighting.point].in_local, sighting.pixel,
+                                       sighting.sigma_px};
+    sighting.is_inlier =
+        SquaredError(observation, camera_from_local[sighting.view], camera) <= max_squared_error;
+  }
+}
+
+std::vector<Observation> WriteBack(const Bundle& bundle, Map& map) {
+  TakeAlong(bundle, map);
+  for (const Bundle::View& view : bundle.views) {
+    if (view.is_held || !map.IsKept(view.keyframe)) continue;
+    map.SetPose(view.keyframe, bundle.world_from_local * view.Pose());
+  }
+  for (const Bundle::Point& point : bundle.points) {
+    if (map.FindLandmark(point.landmark) == nullptr) continue;
+    map.SetPosition(point.landmark, bundle.world_from_local * point.in_local);
+  }
+  std::vector<Observation> outliers;
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    if (sighting.is_inlier) continue;
+    const Observation outlier{bundle.views[sighting.view].keyframe, sighting.keypoint};
+    const LandmarkId landmark = bundle.points[sighting.point].landmark;
+    outliers.push_back(outlier);
+    if (HasObservation(map, landmark, outlier)) map.RemoveObservation(landmark, outlier.keyframe);
+  }
+  return outliers;
+}
+
+}  // namespace corvo

@@ -1,0 +1,94 @@
+#include "vo/optimization/bundle_adjuster.h"
+
+#include <map>
+#include <set>
+
+#include <ceres/ceres.h>
+
+#include "vo/math/chi_square.h"
+#include "vo/math/huber.h"
+#include "vo/optimization/bundle_problem.h"
+#include "vo/optimization/point_adjuster.h"
+#include "vo/optimization/point_selection.h"
+#include "vo/optimization/reprojection_cost.h"
+
+namespace corvo {
+namespace {
+
+ceres::Solver::Summary Solve(const Camera& camera, int max_iterations,
+                             const std::vector<char>& is_selected, Bundle& bundle) {
+  ceres::Problem::Options problem_options;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::HuberLoss huber(kHuberSigmas);
+  ceres::Problem problem(problem_options);
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
+    problem.AddResidualBlock(new ReprojectionCost(camera, sighting.pixel, sighting.sigma_px),
+                             &huber, bundle.views[sighting.view].local_from_camera.data(),
+                             bundle.points[sighting.point].in_local.data());
+  }
+  FixGauge(bundle, problem);
+  ceres::Solver::Summary summary;
+  ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
+  return summary;
+}
+
+/// With the landmarks that the moving keyframes see, and the others that hold them.
+AdjustmentWindow CompleteWindow(const Map& map, const std::set<KeyframeId>& moving,
+                                int min_shared_landmarks) {
+  AdjustmentWindow window;
+  window.moving.assign(moving.begin(), moving.end());
+  window.landmarks = map.FindSeen(window.moving);
+  std::map<KeyframeId, int> num_seen;
+  for (const LandmarkId id : window.landmarks) {
+    for (const Observation& o : map.FindLandmark(id)->observations) {
+      if (moving.count(o.keyframe) == 0) ++num_seen[o.keyframe];
+    }
+  }
+  for (const auto& [id, count] : num_seen) {
+    if (count >= min_shared_landmarks) window.held.push_back(id);
+  }
+  return window;
+}
+
+}  // namespace
+
+AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
+                              const BundleAdjusterOptions& options) {
+  std::set<KeyframeId> moving{newest};
+  for (const Covisible& covisible : map.FindCovisible(newest, options.min_shared_landmarks)) {
+    if (static_cast<int>(moving.size()) == options.max_keyframes) break;
+    moving.insert(covisible.keyframe);
+  }
+  return CompleteWindow(map, moving, options.min_shared_landmarks);
+}
+
+AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
+                                       const BundleAdjusterOptions& options) {
+  std::set<KeyframeId> moving;
+  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  for (auto id = kept.rbegin(); id != kept.rend(); ++id) {
+    if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
+    moving.insert(*id);
+    if (static_cast<int>(moving.size()) == max_keyframes) break;
+  }
+  return CompleteWindow(map, moving, options.min_shared_landmarks);
+}
+
+AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions& options,
+                              Bundle& bundle) {
+  constexpr double kProjects = 1e12;
+  const Bundle before = bundle;
+  MarkOutliers(camera, kProjects, bundle);
+  const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
+  const ceres::Solver::Summary summary = Solve(camera, options.max_iterations, is_selected, bundle);
+  if (!summary.IsSolutionUsable()) {
+    bundle = before;
+    return {};
+  }
+  AdjustPoints(camera, is_selected, bundle);
+  MarkOutliers(camera, kChiSquare2Dof95, bundle);
+  return {true, summary.initial_cost, summary.final_cost};
+}
+
+}  // namespace corvo

@@ -1,0 +1,86 @@
+#include "vo/optimization/bundle_calibrator.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <ceres/ceres.h>
+
+#include "vo/math/chi_square.h"
+#include "vo/math/huber.h"
+#include "vo/optimization/adjusted_camera.h"
+#include "vo/optimization/bundle_problem.h"
+#include "vo/optimization/camera_covariance.h"
+#include "vo/optimization/point_adjuster.h"
+#include "vo/optimization/point_selection.h"
+
+namespace corvo {
+namespace {
+
+/// Of what the sigmas of keypoints say: these lie closer to their landmarks, but the errors along
+/// one track are alike.
+constexpr double kInformationFactor = 3.5;
+
+/// Fewer of each keyframe, the more there are: however many, an estimate takes about the same time.
+int PointsPerKeyframe(const Bundle& bundle, const CalibrationOptions& options) {
+  constexpr int kMaxPoints = 4000;
+  const auto num_moving = std::count_if(bundle.views.begin(), bundle.views.end(),
+                                        [](const Bundle::View& view) { return !view.is_held; });
+  const int share = kMaxPoints / std::max(1, static_cast<int>(num_moving));
+  return std::min(options.points_per_keyframe, share);
+}
+
+bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>& is_selected,
+           Bundle& bundle, Eigen::VectorXd& difference) {
+  AdjustedCamera adjusted(prior, difference);
+  ceres::Problem::Options problem_options;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  problem_options.evaluation_callback = &adjusted;
+  ceres::HuberLoss huber(kHuberSigmas);
+  ceres::Problem problem(problem_options);
+  for (const Bundle::Sighting& sighting : bundle.sightings) {
+    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
+    problem.AddResidualBlock(MakeSightingCost(adjusted, sighting), &huber,
+                             bundle.views[sighting.view].local_from_camera.data(),
+                             bundle.points[sighting.point].in_local.data(), difference.data());
+  }
+  problem.AddResidualBlock(MakePriorCost(prior), nullptr, difference.data());
+  FixGauge(bundle, problem);
+  ceres::Solver::Summary summary;
+  ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
+  return summary.IsSolutionUsable();
+}
+
+/// By the selected points alone.
+Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& difference,
+                           const std::vector<char>& is_selected, Bundle bundle) {
+  for (Bundle::Sighting& sighting : bundle.sightings) {
+    sighting.is_inlier = sighting.is_inlier && is_selected[sighting.point];
+  }
+  return CameraCovariance(prior, difference, {std::move(bundle)});
+}
+
+}  // namespace
+
+std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
+                                              const Eigen::VectorXd& start,
+                                              const CalibrationOptions& options, Bundle& bundle) {
+  constexpr double kGrossError = 10 * 10;
+  const CameraPrior beside = prior.Beside(kInformationFactor);
+  const Bundle before = bundle;
+  CameraEstimate estimate{start, {}};
+  MarkOutliers(Camera(prior.Apply(start)), kGrossError, bundle);
+  const std::vector<char> is_selected = SelectPoints(bundle, PointsPerKeyframe(bundle, options));
+  if (!Solve(beside, options.max_iterations, is_selected, bundle, estimate.difference)) {
+    bundle = before;
+    return std::nullopt;
+  }
+  const Camera camera(prior.Apply(estimate.difference));
+  AdjustPoints(camera, is_selected, bundle);
+  MarkOutliers(camera, kChiSquare2Dof95, bundle);
+  estimate.covariance =
+      Covariance(beside, estimate.difference, is_selected, bundle) / kInformationFactor;
+  return estimate;
+}
+
+}  // namespace corvo

@@ -1,0 +1,27 @@
+#include "vo/optimization/point_selection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace corvo {
+std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
+  const std::vector<int> begin = SightingOffsets(bundle);
+  std::vector<int> order(bundle.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return begin[a + 1] - begin[a] > begin[b + 1] - begin[b]; });
+  std::vector<char> is_selected(bundle.points.size(), 0);
+  std::vector<int> num_selected(bundle.views.size(), 0);
+  for (const int point : order) {
+    const auto first = bundle.sightings.begin() + begin[point];
+    const auto last = bundle.sightings.begin() + begin[point + 1];
+    is_selected[point] = std::any_of(first, last, [&](const Bundle::Sighting& sighting) {
+      return !bundle.views[sighting.view].is_held && num_selected[sighting.view] < points_per_view;
+    });
+    if (!is_selected[point]) continue;
+    for (auto sighting = first; sighting != last; ++sighting) ++num_selected[sighting->view];
+  }
+  return is_selected;
+}
+
+}  // namespace corvo

@@ -1,0 +1,80 @@
+#include "vo/tracking/relocalizer.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "orb/matcher.h"
+
+namespace corvo {
+namespace {
+
+/// The newest kept keyframes of a segment, newest first.
+std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
+  std::vector<KeyframeId> keyframes = map.KeptKeyframes();
+  std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
+  std::reverse(keyframes.begin(), keyframes.end());
+  if (static_cast<int>(keyframes.size()) > max_keyframes) keyframes.resize(max_keyframes);
+  return keyframes;
+}
+
+/// The landmark most like each keypoint of the frame, where one is like it at all.
+std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId>& landmarks,
+                                    int max_distance, const Frame& frame) {
+  std::vector<orb::Descriptor> descriptors;
+  for (const LandmarkId id : landmarks) descriptors.push_back(map.FindLandmark(id)->descriptor);
+  std::vector<LandmarkId> similar;
+  const std::vector<orb::Nearest> nearest =
+      orb::FindNearest(frame.features.descriptors, descriptors);
+  for (const orb::Match& match : orb::KeepNear(nearest, max_distance)) {
+    similar.push_back(landmarks[match.train]);
+  }
+  return similar;
+}
+
+/// Of `keyframes`, those that see the most of `landmarks`, most first.
+std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<KeyframeId>& keyframes,
+                                         const std::vector<LandmarkId>& landmarks,
+                                         const RelocalizerOptions& options) {
+  std::map<KeyframeId, int> votes;
+  for (const LandmarkId id : landmarks) {
+    for (const Observation& observation : map.FindLandmark(id)->observations) {
+      ++votes[observation.keyframe];
+    }
+  }
+  std::vector<KeyframeId> candidates = keyframes;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](KeyframeId a, KeyframeId b) { return votes[a] > votes[b]; });
+  if (static_cast<int>(candidates.size()) > options.max_candidates) {
+    candidates.resize(options.max_candidates);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+TrackingResult Relocalize(Map& map, int segment, const Camera& camera, const KeypointNoise& noise,
+                          const TrackerOptions& tracker, const RelocalizerOptions& options,
+                          Frame& frame) {
+  const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options.max_keyframes);
+  const std::vector<LandmarkId> similar =
+      FindSimilar(map, map.FindSeen(keyframes), tracker.max_distance, frame);
+  TrackingResult best;
+  best.reason = Reason::kTooFewMatches;
+  for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options)) {
+    map.UpdateRays(camera, id);
+    const Frame& keyframe = map.keyframe(id).frame;
+    TrackingResult tracking =
+        TrackFrame(map, keyframe, keyframe.world_from_camera, camera, noise, tracker, frame);
+    if (tracking.reason == Reason::kNone && tracking.num_inliers >= options.min_inliers) {
+      return tracking;
+    }
+    if (tracking.num_inliers > best.num_inliers) {
+      best = std::move(tracking);
+      best.reason = Reason::kTooFewInliers;
+    }
+  }
+  return best;
+}
+
+}  // namespace corvo
