@@ -1,56 +1,21 @@
 #include "vo/odometry.h"
 
 #include <algorithm>
-#include <chrono>
-#include <limits>
-#include <map>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "orb/error.h"
-#include "vo/map/landmark_alignment.h"
-#include "vo/mapping/culling.h"
 #include "vo/mapping/keyframe_policy.h"
-#include "vo/tracking/relocalizer.h"
+#include "vo/tracking/segment_start.h"
 
 namespace corvo {
 namespace {
 
-/// Adds the time of its scope to a stage.
-class StageTimer {
- public:
-  explicit StageTimer(double& total_ms) : total_ms_(total_ms) {}
-  ~StageTimer() {
-    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start_;
-    total_ms_ += elapsed.count();
-  }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& total_ms_;
-  Clock::time_point start_ = Clock::now();
-};
-
 const OdometryOptions& Validated(const OdometryOptions& options) {
   options.Validate();
   return options;
-}
-
-/// Landmarks of a keyframe that enough keyframes see: three, or two while its segment has no more.
-int CountEstablished(const Map& map, KeyframeId id) {
-  const KeyframeId third_newest = map.num_keyframes() - 3;
-  const bool has_three = third_newest >= 0 && map.SegmentOf(third_newest) == map.SegmentOf(id);
-  const std::size_t min_observations = has_three ? 3 : 2;
-  int count = 0;
-  for (const LandmarkId landmark_id : map.keyframe(id).frame.landmarks) {
-    const Landmark* landmark = map.FindLandmark(landmark_id);
-    count += landmark != nullptr && landmark->observations.size() >= min_observations;
-  }
-  return count;
 }
 
 }  // namespace
@@ -62,41 +27,54 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
     : options_(Validated(options)),
       threads_(threads),
       extractor_(options.extractor, threads),
-      noise_{options.bundle_adjuster.keypoint_sigma_px, options.bundle_adjuster.aligned_sigma_px,
-             extractor_.octave_scales()},
-      initializer_(options.initializer, noise_, Camera(prior.given)),
-      adjuster_(prior, options) {}
+      map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
+      initializer_(options, map_.model()),
+      tracker_(options),
+      relocalizer_(options),
+      mapper_(prior, options) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   CheckInput(image, time_ns);
-  times_ = StageTimes();
+  clock_.Reset();
   Frame frame = ExtractFrame(image, time_ns, mask);
-  ContinueMapping(frame.index);
+  // Adjustments that were started earlier are used from here on: at a fixed frame, not when ready.
+  ApplyUpdate(mapper_.Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);
-  if (tracking.reason != Reason::kNone) return Initialize(std::move(frame), tracking);
-  if (NeedsKeyframe(frame)) ExtendMap(frame);
+  // Before there is a map, and while the track is lost, the frame may start a new segment.
+  if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
+  // Landmarks die out behind a moving camera; a keyframe creates new ones.
+  if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) InsertKeyframe(frame);
   return Accept(std::move(frame), tracking);
 }
 
+Trajectory Odometry::Finish() {
+  FinishMapping();
+  if (map_.empty()) return GetTrajectory();
+  mapper_.StartLastCalibration(history_.size(), map_);
+  FinishMapping();
+  mapper_.StartAdjustment(history_.size(), map_);
+  FinishMapping();
+  return GetTrajectory();
+}
+
 void Odometry::Reset() {
-  LandmarkSink landmark_sink = std::move(landmark_sink_);
-  SightingsSink sightings_sink = std::move(sightings_sink_);
+  ObservationRecorder recorder = recorder_.WithSameCallbacks();
   *this = Odometry(camera_prior(), options_, threads_);
-  landmark_sink_ = std::move(landmark_sink);
-  sightings_sink_ = std::move(sightings_sink);
+  recorder_ = std::move(recorder);
+}
+
+void Odometry::VisitKeyframes(const SightingsSink& visit) const {
+  for (const KeyframeId id : map_.ActiveKeyframes()) visit(SightingsOf(map_.keyframe(id), map_));
 }
 
 MemoryUse Odometry::memory_use() const {
-  MemoryUse use;
-  use.working_set_bytes = map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_);
-  use.keyframe_bytes = map_.place_bytes();
-  use.frame_bytes = records_.num_bytes();
-  return use;
+  return {map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_),
+          map_.place_bytes(), history_.num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {
-  const Frame* waiting = initializer_.newest();
-  return waiting != nullptr ? *waiting : previous_;
+  const Frame* pending = initializer_.newest();
+  return pending != nullptr ? *pending : previous_;
 }
 
 void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
@@ -108,321 +86,161 @@ void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
     throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
                             camera().width(), camera().height()));
   }
-  const Frame& last = last_frame();
-  if (records_.size() > 0 && time_ns <= last.time_ns) {
+  if (history_.size() > 0 && time_ns <= last_frame().time_ns) {
     throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
-                            records_.size(), time_ns, last.time_ns));
+                            history_.size(), time_ns, last_frame().time_ns));
   }
 }
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
-  const StageTimer timer(times_.extract_ms);
+  const StageClock::Scope scope(clock_, &StageTimes::extract_ms);
   orb::Features features;
   std::vector<orb::Patch> patches;
   extractor_.Extract(image, mask, features, patches);
   Frame frame =
-      MakeFrame(records_.size(), time_ns, std::move(features), camera(), std::move(patches));
-  FrameOutcome result;
-  result.index = frame.index;
-  result.time_ns = time_ns;
-  result.num_features = frame.num_keypoints();
-  records_.Add(result);
+      MakeFrame(history_.size(), time_ns, std::move(features), camera(), std::move(patches));
+  FrameOutcome outcome;
+  outcome.index = frame.index;
+  outcome.time_ns = time_ns;
+  outcome.num_features = frame.num_keypoints();
+  history_.Add(outcome);
   return frame;
 }
 
+void Odometry::ApplyUpdate(const MapUpdate& update) {
+  if (!update.is_adjusted) return;
+  initializer_.SetCamera(camera());
+  UpdateRays(camera(), previous_);
+  for (const KeyframeId culled : update.culled) history_.RemoveKeyframe(culled, map_);
+  if (history_.IsPosed(previous_.index)) {
+    previous_.world_from_camera = history_.PoseOf(previous_.index, map_);
+  }
+}
+
+void Odometry::FinishMapping() { ApplyUpdate(mapper_.Finish(map_, recorder_, clock_)); }
+
 TrackingResult Odometry::Track(Frame& frame) {
-  const StageTimer timer(times_.locate_ms);
+  const StageClock::Scope scope(clock_, &StageTimes::locate_ms);
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
-  if (!has_map()) return tracking;
-  tracking = TrackFrame(map_, previous_, PredictPose(previous_, frame.time_ns), camera(), noise_,
-                        options_.tracker, frame);
+  if (map_.empty()) return tracking;
+  const SE3 predicted = motion_.Predict(previous_, frame.time_ns);
+  tracking = tracker_.Track(map_, previous_, predicted, frame);
   const bool is_sure =
       state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
-  if (tracking.reason == Reason::kNone && is_sure) return tracking;
-  return Relocalize(map_, segment_, camera(), noise_, options_.tracker, options_.relocalizer,
-                    frame);
+  if (tracking.is_tracked() && is_sure) return tracking;
+  return relocalizer_.Relocalize(segment_, map_, frame);
 }
 
-bool Odometry::NeedsKeyframe(const Frame& frame) const {
-  KeyframeEvidence evidence;
-  const std::vector<Covisible> covisible = map_.FindCovisible(frame);
-  evidence.num_keypoints = frame.num_keypoints();
-  evidence.num_tracked = CountSeenLandmarks(frame);
-  evidence.num_reference = CountEstablished(map_, covisible.front().keyframe);
-  return corvo::NeedsKeyframe(evidence, options_.keyframes);
-}
-
-void Odometry::ExtendMap(Frame& frame) {
-  const StageTimer timer(times_.map_ms);
-  const KeyframeId keyframe = map_.AddKeyframe(frame, segment_);
-  landmark_builder_.Start(map_, keyframe, camera(), noise_, options_.keyframes);
-  frame.landmarks = map_.keyframe(keyframe).frame.landmarks;
-  records_.AddKeyframe(frame.index, keyframe, map_);
-}
-
-void Odometry::ContinueMapping(int frame) {
-  TakeAdjustments(frame);
-  const StageTimer timer(times_.map_ms);
-  if (!has_map()) return;
-  FinishLandmarks();
-  adjuster_.Start(map_, noise_, frame);
-}
-
-void Odometry::FinishLandmarks() {
-  const std::vector<LandmarkMerge> merges =
-      landmark_builder_.Finish(map_, camera(), noise_, options_.keyframes);
-  if (!sightings_sink_) return;
-  untold_merges_.insert(untold_merges_.end(), merges.begin(), merges.end());
-}
-
-void Odometry::FinishMapping() {
-  FinishLandmarks();
-  TakeAdjustments(std::numeric_limits<int>::max());
-}
-
-void Odometry::TakeAdjustments(int frame) {
-  const StageTimer timer(times_.adjust_ms);
-  const Camera before = camera();
-  if (!adjuster_.Finish(map_, frame)) return;
-  if (camera() != before) {
-    initializer_.SetCamera(camera());
-    UpdateRays(camera(), previous_);
-  }
-  const KeyframeId newest = map_.num_keyframes() - 1;
-  for (const KeyframeId retired : CullKeyframes(map_, newest, options_.keyframes)) {
-    records_.RemoveKeyframe(retired, map_);
-  }
-  ArchiveKeyframes();
-  if (records_.IsPosed(previous_.index)) {
-    previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
-  }
-}
-
-void Odometry::ArchiveKeyframes() {
-  const auto leaving = [this](const Keyframe& keyframe) { TellLeaving(keyframe); };
-  for (const FinishedLandmark& landmark :
-       corvo::ArchiveKeyframes(map_, options_.relocalizer.max_keyframes, leaving)) {
-    if (landmark_sink_) landmark_sink_(landmark);
-  }
-}
-
-Trajectory Odometry::Finish() {
-  FinishMapping();
-  if (!has_map()) return GetTrajectory();
-  adjuster_.StartLastCalibration(map_, noise_, records_.size());
-  FinishMapping();
-  adjuster_.Start(map_, noise_, records_.size());
-  FinishMapping();
-  return GetTrajectory();
+void Odometry::InsertKeyframe(Frame& frame) {
+  const StageClock::Scope scope(clock_, &StageTimes::map_ms);
+  const KeyframeId keyframe = mapper_.InsertKeyframe(frame, segment_, map_);
+  history_.AddKeyframe(frame.index, keyframe, map_);
 }
 
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
-  for (const LandmarkId id : tracking.visible) {
-    if (map_.FindLandmark(id) != nullptr) map_.CountVisible(id);
-  }
-  for (const LandmarkId id : frame.landmarks) {
-    if (id != kNoId) map_.CountFound(id);
-  }
-  SetPosed(frame, tracking.num_matches, tracking.num_inliers);
-  previous_.world_from_camera = records_.PoseOf(previous_.index, map_);
-  SetMotion(previous_, frame);
+  map_.CountSeen(tracking.visible, frame);
+  RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
+  previous_.world_from_camera = history_.PoseOf(previous_.index, map_);
+  motion_.Update(previous_, frame);
   std::vector<Frame> frames = initializer_.TakeFrames();
   frames.push_back(std::move(frame));
-  PlaceWaitingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
+  LocalizePendingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
-  return records_.ResultOf(previous_.index, map_);
+  return history_.ResultOf(previous_.index, map_);
 }
 
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
-  const StageTimer timer(times_.locate_ms);
+  const StageClock::Scope scope(clock_, &StageTimes::locate_ms);
   const int index = frame.index;
-  const TimeNs time_ns = frame.time_ns;
+  const auto lost_s = static_cast<double>(frame.time_ns - previous_.time_ns) * 1e-9;
   frame.landmarks.assign(frame.landmarks.size(), kNoId);
-  if (has_map() && initializer_.newest() == nullptr) initializer_.StartFrom(previous_);
+  if (!map_.empty() && initializer_.newest() == nullptr) initializer_.StartFrom(previous_);
   const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
-  SetUnposed(index, tracking, initialization);
-  if (initialization.map && MayStartSegment(time_ns)) {
+  RecordUnposed(index, tracking, initialization);
+  const bool may_start = map_.empty() || lost_s >= options_.relocalizer.max_lost_s;
+  if (initialization.map && may_start) {
     FinishMapping();
     StartSegment(initialization);
   }
-  return records_.ResultOf(index, map_);
-}
-
-void Odometry::SetUnposed(int frame, const TrackingResult& tracking,
-                          const InitializationResult& initialization) {
-  state_ = has_map() ? State::kLost : State::kInitializing;
-  FrameOutcome& result = records_.outcome(frame);
-  result.state = state_;
-  const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
-  result.reason = has_map() && !is_blank ? tracking.reason : initialization.reason;
-  result.num_matches = has_map() ? tracking.num_matches : initialization.num_matches;
-  result.num_inliers = has_map() ? tracking.num_inliers : initialization.num_inliers;
-  result.parallax_deg = initialization.parallax_deg;
-  SetRotation(frame, initialization);
-  result.segment = segment_;
-}
-
-void Odometry::SetRotation(int frame, const InitializationResult& initialization) {
-  if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
-    records_.SetRotation(frame, frame, SO3());
-  }
-  if (!initialization.reference_from_newest) return;
-  records_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
-  if (!records_.RotationOf(frame, map_)) return;
-  segment_ = std::max(segment_, 0);
-  records_.outcome(frame).state = State::kRotationOnly;
-  records_.outcome(frame).reason = initialization.reason;
-}
-
-bool Odometry::MayStartSegment(TimeNs time_ns) const {
-  const auto lost_s = static_cast<double>(time_ns - previous_.time_ns) * 1e-9;
-  return !has_map() || lost_s >= options_.relocalizer.max_lost_s;
+  return history_.ResultOf(index, map_);
 }
 
 void Odometry::StartSegment(const InitializationResult& initialization) {
-  const InitialMap& initial = *initialization.map;
   const int reference = initializer_.reference();
   std::vector<Frame> frames = initializer_.TakeFrames();
   Frame& first = frames[reference];
   Frame& second = frames.back();
-  first.world_from_camera = PredictStart(first);
+  const bool is_posed = history_.IsPosed(first.index);  // In the previous segment; there it stays.
+  const std::optional<SO3> rotation = history_.RotationOf(first.index, map_);
+  if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
+  first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);
   first.landmarks.assign(first.landmarks.size(), kNoId);
-  const double scale = ChainScale(initial, second.time_ns - first.time_ns);
-  second.world_from_camera =
-      first.world_from_camera *
-      SE3(initial.first_from_second.rotation(), scale * initial.first_from_second.translation());
-  const bool continues = !has_map() && records_.RotationOf(first.index, map_);
-  if (!continues || segment_ == kNoId) ++segment_;
-  const bool is_posed = records_.IsPosed(first.index);  // In the segment before; there it stays.
-  AddInitialMap(initial, scale, first, second);
+  const InitialMap initial =
+      ScaleToMotion(*initialization.map, second.time_ns - first.time_ns, motion_);
+  const KeyframeId keyframe = mapper_.InsertInitialMap(initial, segment_, first, second, map_);
+  history_.AddKeyframe(first.index, keyframe, map_);
+  history_.AddKeyframe(second.index, keyframe + 1, map_);
+  mapper_.Marginalize(map_, recorder_);
   const int num_points = static_cast<int>(initial.points.size());
-  if (!is_posed) SetPosed(first, initialization.num_matches, num_points);
-  SetPosed(second, initialization.num_matches, num_points);
-  SetMotion(first, second);
-  PlaceWaitingFrames(frames, reference, 1);
-  PlaceWaitingFrames(frames, reference, -1);
+  if (!is_posed) RecordPosed(first, initialization.num_matches, num_points);
+  RecordPosed(second, initialization.num_matches, num_points);
+  motion_.Update(first, second);
+  LocalizePendingFrames(frames, reference, 1);
+  LocalizePendingFrames(frames, reference, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
 }
 
-/// Turned as it was tracked and standing where it was last, if its rotation is known; otherwise at
-/// constant velocity.
-SE3 Odometry::PredictStart(const Frame& first) const {
-  const std::optional<SO3> rotation = records_.RotationOf(first.index, map_);
-  if (rotation) return SE3(*rotation, previous_.world_from_camera.translation());
-  return PredictPose(previous_, first.time_ns);
-}
-
-void Odometry::AddInitialMap(const InitialMap& initial, double scale, Frame& first, Frame& second) {
-  const KeyframeId first_id = map_.AddKeyframe(first, segment_);
-  const KeyframeId second_id = map_.AddKeyframe(second, segment_);
-  for (const InitialPoint& point : initial.points) {
-    const Eigen::Vector3d in_world =
-        first.world_from_camera * Eigen::Vector3d(scale * point.in_first);
-    const LandmarkId id = map_.AddLandmark(
-        in_world, {{first_id, point.first_keypoint}, {second_id, point.second_keypoint}});
-    AlignObservation(id, {second_id, point.second_keypoint}, camera(), noise_.octave_scales, map_);
-    map_.UpdateAppearance(id, noise_.octave_scales);
-    landmark_builder_.AddOnTrial(id);
-  }
-  for (const KeyframeId id : {first_id, second_id}) {
-    Frame& frame = id == first_id ? first : second;
-    frame.landmarks = map_.keyframe(id).frame.landmarks;
-    records_.AddKeyframe(frame.index, id, map_);
-  }
-  ArchiveKeyframes();
-}
-
-void Odometry::PlaceWaitingFrames(std::vector<Frame>& frames, int located, int step) {
+void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, int step) {
   const int num_frames = static_cast<int>(frames.size());
   for (int i = located + step; i >= 0 && i < num_frames; i += step) {
     Frame& frame = frames[i];
-    if (records_.IsPosed(frame.index)) break;
-    const SE3 predicted = PredictPose(frames[located], frame.time_ns);
-    const TrackingResult tracking =
-        TrackFrame(map_, frames[located], predicted, camera(), noise_, options_.tracker, frame);
-    if (tracking.reason != Reason::kNone) continue;
-    SetPosed(frame, tracking.num_matches, tracking.num_inliers);
+    if (history_.IsPosed(frame.index)) break;
+    const SE3 predicted = motion_.Predict(frames[located], frame.time_ns);
+    const TrackingResult tracking = tracker_.Track(map_, frames[located], predicted, frame);
+    if (!tracking.is_tracked()) continue;
+    RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
     located = i;
   }
 }
 
-SE3 Odometry::PredictPose(const Frame& from, TimeNs time_ns) const {
-  if (step_ns_ == 0) return from.world_from_camera;
-  const double steps = static_cast<double>(time_ns - from.time_ns) / static_cast<double>(step_ns_);
-  return from.world_from_camera * motion_.Power(steps);
-}
-
-/// So that the speed over the first baseline is the last one known.
-double Odometry::ChainScale(const InitialMap& initial, TimeNs baseline_ns) const {
-  if (step_ns_ == 0) return 1;
-  const double distance = motion_.translation().norm() * static_cast<double>(baseline_ns) /
-                          static_cast<double>(step_ns_);
-  return distance > 0 ? distance / initial.first_from_second.translation().norm() : 1;
-}
-
-void Odometry::SetMotion(const Frame& from, const Frame& to) {
-  motion_ = from.world_from_camera.Inverse() * to.world_from_camera;
-  step_ns_ = to.time_ns - from.time_ns;
-}
-
-void Odometry::SetPosed(const Frame& frame, int num_matches, int num_inliers) {
-  FrameOutcome& result = records_.outcome(frame.index);
-  result.state = State::kTracking;
-  result.reason = Reason::kNone;
-  result.segment = segment_;
-  result.num_matches = num_matches;
-  result.num_inliers = num_inliers;
-  TellPosed(frame);
-  if (!result.is_keyframe) {
-    records_.SetPose(frame.index, segment_, frame.world_from_camera, map_);
+void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
+  FrameOutcome& outcome = history_.outcome(frame.index);
+  outcome.state = State::kTracking;
+  outcome.reason = Reason::kNone;
+  outcome.segment = segment_;
+  outcome.num_matches = num_matches;
+  outcome.num_inliers = num_inliers;
+  recorder_.RecordFrame(frame, segment_, map_);
+  if (!outcome.is_keyframe) {
+    history_.SetPose(frame.index, segment_, frame.world_from_camera, map_);
   }
 }
 
-void Odometry::AddSighting(const Frame& frame, int keypoint, FrameSightings& sightings) const {
-  const Landmark* landmark = map_.FindLandmark(frame.landmarks[keypoint]);
-  if (landmark == nullptr) return;
-  sightings.landmarks.push_back({landmark->id, frame.pixel(keypoint).cast<float>(),
-                                 static_cast<float>(noise_.Sigma(frame, keypoint))});
-  if (sightings.keyframe != kNoId) sightings.in_world.push_back(landmark->in_world);
-}
-
-FrameSightings Odometry::SightingsOf(const Frame& frame, int segment, KeyframeId keyframe) const {
-  FrameSightings sightings{frame.index, segment, keyframe, {}, {}, {}};
-  for (int k = 0; k < frame.num_keypoints(); ++k) AddSighting(frame, k, sightings);
-  return sightings;
-}
-
-void Odometry::TellPosed(const Frame& frame) {
-  if (!sightings_sink_) return;
-  FrameSightings sightings = SightingsOf(frame, segment_, kNoId);
-  sightings.merges.swap(untold_merges_);
-  sightings_sink_(sightings);
-}
-
-void Odometry::TellLeaving(const Keyframe& keyframe) const {
-  if (!sightings_sink_) return;
-  sightings_sink_(SightingsOf(keyframe.frame, keyframe.segment, keyframe.id));
-  std::map<KeyframeId, FrameSightings> last;
-  for (const LandmarkId id : keyframe.frame.landmarks) {
-    const Landmark* landmark = map_.FindLandmark(id);
-    if (landmark == nullptr || landmark->observations.size() > 2) continue;
-    for (const Observation& o : landmark->observations) {
-      if (o.keyframe == keyframe.id) continue;
-      const Frame& other = map_.keyframe(o.keyframe).frame;
-      const FrameSightings none{other.index, keyframe.segment, o.keyframe, {}, {}, {}};
-      AddSighting(other, o.keypoint, last.try_emplace(o.keyframe, none).first->second);
+void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,
+                             const InitializationResult& initialization) {
+  state_ = !map_.empty() ? State::kLost : State::kInitializing;
+  FrameOutcome& outcome = history_.outcome(frame);
+  const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
+  outcome.state = state_;
+  outcome.reason = !map_.empty() && !is_blank ? tracking.reason : initialization.reason;
+  outcome.num_matches = !map_.empty() ? tracking.num_matches : initialization.num_matches;
+  outcome.num_inliers = !map_.empty() ? tracking.num_inliers : initialization.num_inliers;
+  outcome.parallax_deg = initialization.parallax_deg;
+  if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
+    history_.SetRotation(frame, frame, SO3());
+  }
+  if (initialization.reference_from_newest) {
+    history_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
+    if (history_.RotationOf(frame, map_)) {
+      segment_ = std::max(segment_, 0);
+      outcome.state = State::kRotationOnly;
+      outcome.reason = initialization.reason;
     }
   }
-  for (const auto& [other, sightings] : last) sightings_sink_(sightings);
-}
-
-void Odometry::VisitKeyframes(const SightingsSink& visit) const {
-  for (const KeyframeId id : map_.KeptKeyframes()) {
-    visit(SightingsOf(map_.keyframe(id).frame, map_.SegmentOf(id), id));
-  }
+  outcome.segment = segment_;
 }
 
 }  // namespace corvo

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(Matches are mutual nearest neighbours that pass the options' tracker.max_distance and
+    R"(Matches are mutual nearest neighbours that pass the options' matching.max_tracking_distance and
 tracker.max_ratio. Written are matches.png, both pictures with the matches (green where they agree
 with one homography, else red), matches.csv, and where there is one homography.txt, row by row, which
 takes pixels of A to pixels of B.
@@ -54,7 +54,7 @@ void Match(const MatchArguments& arguments) {
   const orb::Extractor extractor(options.extractor);
   const PictureMatches pictures =
       MatchPictures(extractor.Extract(first), extractor.Extract(second),
-                    options.tracker.max_distance, options.tracker.max_ratio);
+                    options.matching.max_tracking_distance, options.tracker.max_ratio);
   OutputFolder output(arguments.output);
   output.Write("config.yaml", WriteOptions(options));
   output.Write("matches.csv", MatchTable(pictures));

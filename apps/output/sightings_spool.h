@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "vo/map/frame_observations.h"
+#include "vo/map/observation_recorder.h"
 
 namespace corvo {
 

@@ -58,11 +58,8 @@ std::string ReasonsText(const RunSummary& summary) {
   return text;
 }
 
-std::optional<MatchResiduals> MeasureAndWarn(const RunInputs& inputs, const Odometry& odometry) {
-  const orb::ExtractorOptions& extractor = inputs.options.extractor;
-  const auto residuals =
-      MeasureResiduals(odometry.map(), odometry.camera(),
-                       orb::OctaveScales(extractor.num_levels, extractor.scale_factor));
+std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
+  const auto residuals = MeasureResiduals(odometry.map());
   if (residuals && IsImplausible(*residuals)) {
     spdlog::warn(
         "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
@@ -131,7 +128,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
-  summary.residuals = MeasureAndWarn(inputs, record.odometry);
+  summary.residuals = MeasureAndWarn(record.odometry);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   WarnOfContradiction(summary.calibration);

@@ -56,7 +56,7 @@ class Runner {
     holding.frames = next_;
     holding.posed_frames = num_posed_;
     holding.keyframes = odometry_.map().num_keyframes();
-    holding.kept_keyframes = static_cast<int>(odometry_.map().KeptKeyframes().size());
+    holding.kept_keyframes = static_cast<int>(odometry_.map().ActiveKeyframes().size());
     holding.landmarks = odometry_.map().num_landmarks();
     holding.memory = odometry_.memory_use();
     holding.spooled_bytes = spool_.num_bytes();

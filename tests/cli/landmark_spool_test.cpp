@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/output/map_ply.h"
+#include "tests/support/point_scene.h"
 
 namespace corvo {
 namespace {
@@ -40,7 +41,7 @@ TEST(LandmarkSpool, GivesBackWhatItTook) {
 TEST(LandmarkSpool, ItsLandmarksAreInTheMapThatIsWritten) {
   LandmarkSpool spool;
   spool.Add(At(0, 1, 2));
-  Map map;
+  Map map(test::MakeModel());
   map.AddKeyframe(Frame(), 0);
   const std::string ply = MapPly(spool, map, 10);
   EXPECT_THAT(ply, testing::HasSubstr("element vertex 2\n"));

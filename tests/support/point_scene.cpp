@@ -15,14 +15,18 @@ Camera PinholeCamera() {
   return Camera(parameters);
 }
 
-KeypointNoise MakeNoise(double sigma_px, int num_octaves) {
-  KeypointNoise noise;
-  noise.sigma_px = sigma_px;
+MeasurementModel MakeModel(double sigma_px, int num_octaves) {
+  return MakeModel(PinholeCamera(), sigma_px, num_octaves);
+}
+
+MeasurementModel MakeModel(const Camera& camera, double sigma_px, int num_octaves) {
+  MeasurementModel model{camera, {}, {}};
+  model.options.keypoint_sigma_px = sigma_px;
   double scale = 1;
   for (int octave = 0; octave < num_octaves; ++octave, scale *= 1.2) {
-    noise.octave_scales.push_back(scale);
+    model.octave_scales.push_back(scale);
   }
-  return noise;
+  return model;
 }
 
 orb::Descriptor RandomDescriptor(Random& random) {
@@ -85,8 +89,8 @@ SceneView ObserveScene(const PointScene& scene, const Camera& camera, const SE3&
 }
 
 Map MakeMap(const PointScene& scene, const std::vector<SceneView>& views,
-            const KeypointNoise& noise) {
-  Map map;
+            const MeasurementModel& model) {
+  Map map(model);
   std::vector<std::vector<Observation>> observations(scene.in_world.size());
   for (const SceneView& view : views) {
     const KeyframeId id = map.AddKeyframe(view.frame, 0);
@@ -97,7 +101,7 @@ Map MakeMap(const PointScene& scene, const std::vector<SceneView>& views,
   for (std::size_t point = 0; point < observations.size(); ++point) {
     if (observations[point].size() < 2) continue;
     const LandmarkId id = map.AddLandmark(scene.in_world[point], observations[point]);
-    map.UpdateAppearance(id, noise.octave_scales);
+    map.UpdateAppearance(id);
   }
   return map;
 }

@@ -7,16 +7,19 @@
 #include "tests/support/random.h"
 #include "vo/camera/camera.h"
 #include "vo/map/frame.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo::test {
 
 /// 640x480, f = 500 px, without distortion.
 Camera PinholeCamera();
 
-/// Noise of `sigma_px` at every octave of `num_octaves` levels at 1.2.
-KeypointNoise MakeNoise(double sigma_px = 1, int num_octaves = 8);
+/// The PinholeCamera with keypoints of `sigma_px` in every octave of `num_octaves` levels at 1.2.
+MeasurementModel MakeModel(double sigma_px = 1, int num_octaves = 8);
+
+/// The same for another camera.
+MeasurementModel MakeModel(const Camera& camera, double sigma_px = 1, int num_octaves = 8);
 
 /// Points in space, each with a descriptor of its own: views of them as an extractor would see
 /// them, without pictures.
@@ -51,6 +54,6 @@ SceneView ObserveScene(const PointScene& scene, const Camera& camera, const SE3&
 /// A map of the views as keyframes in one segment, with every point that at least two see as a
 /// landmark at its true place. Landmark ids follow the scene's points.
 Map MakeMap(const PointScene& scene, const std::vector<SceneView>& views,
-            const KeypointNoise& noise);
+            const MeasurementModel& model = MakeModel());
 
 }  // namespace corvo::test

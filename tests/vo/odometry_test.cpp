@@ -208,7 +208,8 @@ TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
   }
   EXPECT_GE(everything.GetTrajectory().PosedShare(), 0.9);
   ExpectIdentical(everything.GetTrajectory(), newest.GetTrajectory());
-  EXPECT_LT(newest.map().KeptKeyframes().size(), 0.75 * everything.map().KeptKeyframes().size());
+  EXPECT_LT(newest.map().ActiveKeyframes().size(),
+            0.75 * everything.map().ActiveKeyframes().size());
   EXPECT_NEAR(newest.memory_use().working_set_bytes, half_way_bytes, 0.2 * half_way_bytes);
   EXPECT_EQ(newest.map().num_landmarks() + finished.size(), everything.map().num_landmarks());
   for (const LandmarkId id : finished) EXPECT_EQ(newest.map().FindLandmark(id), nullptr);

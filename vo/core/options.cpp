@@ -42,7 +42,11 @@ void CheckTogether(const char* section, const Options& options) {
 
 void OdometryOptions::Validate() const {
   VisitSections(*this, [](const char* name, const auto& section) {
-    std::decay_t<decltype(section)>::Visit(section, RangeCheck(name));
+    using Section = std::decay_t<decltype(section)>;
+    Section::Visit(section, RangeCheck(name));
+    if constexpr (requires { Section::VisitAdvanced(section, RangeCheck(name)); }) {
+      Section::VisitAdvanced(section, RangeCheck(name));
+    }
     CheckTogether(name, section);
   });
 }

@@ -4,160 +4,387 @@
 
 namespace corvo {
 
-// Every options struct names each field once in `Visit`, with range and meaning: validation, the
-// configuration reader and `configs/default.yaml` come from it. See orb::ExtractorOptions::Visit.
+// Options structs are the manual: `Visit` and `VisitAdvanced` name each field once, with its range
+// and its meaning. The fields of `Visit` are the keys of configuration files; those of
+// `VisitAdvanced` are for users of the library. Validation covers both. The argument convention is
+// that of orb::ExtractorOptions::Visit.
+//
+// Where a value comes from stands beside it: a paper, or this project's own measurement,
+// docs/development/ablation.md ("ablation").
 
-/// Two-view initialisation.
-struct InitializerOptions {
-  int min_matches = 100;
-  double min_parallax_sigmas = 3.0;
-  double max_homography_share = 0.45;
-  int min_points = 50;
-  double min_parallax_deg = 1.0;
-  int max_waiting_frames = 100;
+/// Descriptor distances below which two keypoints may show the same point. They suit the learned
+/// binary tests; for `extractor.pattern: brief` use 80 and 50.
+struct MatchingOptions {
+  int max_tracking_distance = 95;  // ablation
+  int max_distance = 65;           // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
-    field("min_matches", self.min_matches, 20, 100000, "matches between the two views");
-    field("min_parallax_sigmas", self.min_parallax_sigmas, 0.0, 1000.0,
-          "median parallax before a motion is looked for, in units of the keypoint noise");
-    field("max_homography_share", self.max_homography_share, 0.0, 1.0,
-          "a larger share of the homography in the scores of both models: the scene is planar");
-    field("min_points", self.min_points, 10, 100000, "triangulated points of the first map");
+    field("max_tracking_distance", self.max_tracking_distance, 1, 256,
+          "largest descriptor distance of a match near a predicted position, bits");
+    field("max_distance", self.max_distance, 1, 256,
+          "largest descriptor distance of any other match, bits");
+  }
+};
+
+/// How precisely images measure points, and from where a landmark can be seen.
+struct MeasurementOptions {
+  double keypoint_sigma_px = 1.0;    // ablation
+  double aligned_sigma_px = 0.6;     // ablation
+  double max_view_angle_deg = 60;    // Mur-Artal et al., "ORB-SLAM", 2015, V-D.
+  double distance_tolerance = 1.25;  // ablation
+  double min_correlation = 0.8;      // ablation
+  double sigma_along_ray = 10;       // Any value far above 1 stands for "unknown".
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("keypoint_sigma_px", self.keypoint_sigma_px, 0.01, 100.0,
+          "standard deviation of a detected keypoint, px of its own pyramid level");
+    field(
+        "aligned_sigma_px", self.aligned_sigma_px, 0.01, 100.0,
+        "standard deviation of a keypoint aligned with its landmark's patch, px of its own level");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("max_view_angle_deg", self.max_view_angle_deg, 1.0, 180.0,
+          "largest angle to a landmark's mean viewing direction at which it can be seen, degrees");
+    field("distance_tolerance", self.distance_tolerance, 1.0, 100.0,
+          "factor by which a landmark may be nearer or farther than its octaves can show");
+    field("min_correlation", self.min_correlation, 0.0, 1.0,
+          "least correlation of two aligned patches");
+    field("sigma_along_ray", self.sigma_along_ray, 1.0, 1e6,
+          "standard deviation of a point along a single ray, in units of its distance");
+  }
+};
+
+/// Two-view initialization.
+struct InitializerOptions {
+  int min_matches = 100;                  // Mur-Artal et al., 2015, IV.
+  double min_parallax_deg = 1.0;          // Mur-Artal et al., 2015, IV.
+  int max_waiting_frames = 100;           // Bounds memory.
+  double min_parallax_sigmas = 3.0;       // Three standard deviations.
+  double max_homography_share = 0.45;     // Mur-Artal et al., 2015, eq. (3).
+  int min_points = 50;                    // Mur-Artal et al., 2015, IV.
+  double max_ratio = 0.8;                 // Lowe, "Distinctive image features", 2004, 7.1.
+  double max_second_motion_share = 0.7;   // ablation
+  double min_share_in_front = 0.9;        // ablation
+  int min_rotation_matches = 30;          // ablation
+  double rotation_search_radius_px = 10;  // ablation
+  int min_refinement_matches = 10;        // ablation
+  double max_plane_change_deg = 15;       // ablation
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
+    field("min_matches", self.min_matches, 20, 100000,
+          "least number of matches between the two views");
     field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
-          "parallax that min_points points must reach");
+          "parallax that enough points of the first map must reach, degrees");
     field("max_waiting_frames", self.max_waiting_frames, 2, 10000,
-          "frames kept before initialisation; they get poses afterwards");
+          "frames kept until initialization succeeds; they get poses afterwards");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("min_parallax_sigmas", self.min_parallax_sigmas, 0.0, 1000.0,
+          "median parallax below which the motion is a rotation, in keypoint standard deviations");
+    field("max_homography_share", self.max_homography_share, 0.0, 1.0,
+          "share of the homography in the two models' scores above which the scene is planar");
+    field("min_points", self.min_points, 10, 100000, "least number of points of the first map");
+    field("max_ratio", self.max_ratio, 0.1, 1.0,
+          "distance of the nearest descriptor over that of the second nearest");
+    field("max_second_motion_share", self.max_second_motion_share, 0.0, 1.0,
+          "points in front under the second best motion, as a share of those under the best");
+    field("min_share_in_front", self.min_share_in_front, 0.0, 1.0,
+          "inliers that must be triangulated in front of both views");
+    field("min_rotation_matches", self.min_rotation_matches, 3, 100000,
+          "least number of matches to tell a rotation");
+    field("rotation_search_radius_px", self.rotation_search_radius_px, 1.0, 500.0,
+          "search radius around a keypoint predicted by a rotation, px of its level");
+    field("min_refinement_matches", self.min_refinement_matches, 3, 100000,
+          "least number of matches to refine a rotation");
+    field("max_plane_change_deg", self.max_plane_change_deg, 0.0, 90.0,
+          "angle between normals that belong to the same plane, degrees");
+  }
+};
+
+/// The pose of one frame from its landmarks.
+struct PoseOptimizerOptions {
+  int num_rounds = 4;         // ablation
+  int num_robust_rounds = 2;  // ablation
+  int max_iterations = 10;    // ablation
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& /*self*/, Visitor&& /*field*/) {}
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("num_rounds", self.num_rounds, 1, 100, "rounds, each of which classifies inliers anew");
+    field("num_robust_rounds", self.num_robust_rounds, 0, 100,
+          "first rounds that use Huber's loss");
+    field("max_iterations", self.max_iterations, 1, 1000, "iterations of one round");
   }
 };
 
 /// Locating a frame in the map.
 struct TrackerOptions {
-  double search_radius_px = 15;
-  int min_matches = 20;
-  int min_inliers = 20;
-  int max_local_keyframes = 30;
-  int max_distance = 95;
-  double max_ratio = 0.8;
+  double search_radius_px = 15;                     // ablation
+  int min_inliers = 20;                             // ablation
+  int min_matches = 20;                             // ablation
+  int min_first_inliers = 10;                       // ablation
+  double widening = 2;                              // ablation
+  double min_inlier_share = 0.5;                    // ablation
+  int max_local_keyframes = 30;                     // ablation
+  double max_ratio = 0.8;                           // Lowe, 2004, 7.1.
+  double max_frontal_angle_deg = 3.62430749400795;  // ablation
+  double frontal_radius_px = 2.5;                   // ablation
+  double oblique_radius_px = 4.0;                   // ablation
+  double pnp_max_error_sigmas = 3;                  // Three standard deviations.
+  int pnp_max_iterations = 300;  // Enough for 40% inliers at a confidence of 0.999.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("search_radius_px", self.search_radius_px, 1.0, 500.0,
-          "around the predicted pixel, times the octave's scale; doubled once if too few match");
+          "search radius around the predicted position of a landmark of the previous frame, px of "
+          "its level");
+    field("min_inliers", self.min_inliers, 15, 10000,
+          "least number of landmarks that must agree with the pose");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
     field("min_matches", self.min_matches, 6, 10000,
-          "matches with the frame before; with fewer, the next wider search is tried");
-    field("min_inliers", self.min_inliers, 15, 10000, "landmarks that must agree with the pose");
+          "least number of matches with the previous frame; with fewer the search is widened");
+    field("min_first_inliers", self.min_first_inliers, 6, 10000,
+          "least number of inliers among the matches with the previous frame");
+    field("widening", self.widening, 1.0, 10.0, "factor of the second, wider search radius");
+    field("min_inlier_share", self.min_inlier_share, 0.0, 1.0,
+          "share of inliers below which the wider search is tried, too");
     field("max_local_keyframes", self.max_local_keyframes, 1, 1000,
-          "keyframes whose landmarks are looked for");
-    field("max_distance", self.max_distance, 1, 256, "between matching descriptors, bits");
+          "covisible keyframes whose landmarks are searched for");
     field("max_ratio", self.max_ratio, 0.1, 1.0,
-          "distance of the nearest descriptor over that of the second nearest");
+          "distance of the nearest descriptor over that of the second nearest in its octave");
+    field("max_frontal_angle_deg", self.max_frontal_angle_deg, 0.0, 180.0,
+          "angle to the mean viewing direction up to which a view is frontal, degrees");
+    field("frontal_radius_px", self.frontal_radius_px, 0.1, 500.0,
+          "search radius around a landmark seen frontally, px of its level");
+    field("oblique_radius_px", self.oblique_radius_px, 0.1, 500.0,
+          "search radius around any other landmark, px of its level");
+    field("pnp_max_error_sigmas", self.pnp_max_error_sigmas, 0.1, 100.0,
+          "inlier threshold of the perspective-n-point search, in keypoint standard deviations");
+    field("pnp_max_iterations", self.pnp_max_iterations, 1, 1000000,
+          "iterations of the perspective-n-point search");
   }
 };
 
 /// Finding the track again after it was lost.
 struct RelocalizerOptions {
-  int max_keyframes = 200;
-  int max_candidates = 5;
-  int min_inliers = 25;
-  double max_lost_s = 1.0;
+  int max_keyframes = 200;  // Bounds memory.
+  double max_lost_s = 1.0;  // ablation
+  int max_candidates = 5;   // ablation
+  int min_inliers = 25;     // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("max_keyframes", self.max_keyframes, 1, 100000,
-          "newest kept keyframes of the segment in which a lost frame is looked for");
-    field("max_candidates", self.max_candidates, 1, 1000,
-          "of them, the most similar, from which the frame is tracked");
-    field("min_inliers", self.min_inliers, 15, 10000, "landmarks that must agree with the pose");
+          "newest active keyframes of the segment in which a lost frame is searched for");
     field("max_lost_s", self.max_lost_s, 0.0, 1e6,
           "time since the last pose after which a new segment may start, s");
   }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("max_candidates", self.max_candidates, 1, 1000,
+          "most similar keyframes from which the frame is tracked");
+    field("min_inliers", self.min_inliers, 15, 10000,
+          "least number of landmarks that must agree with the pose");
+  }
 };
 
-/// When a frame becomes a keyframe, and how keyframes and landmarks are made and culled.
+/// When a frame becomes a keyframe.
 struct KeyframeOptions {
-  double max_tracked_share = 0.75;
-  double min_seeing_share = 0.07;
-  int num_neighbors = 6;
-  double min_parallax_deg = 0.6;
-  int max_distance = 65;
-  double min_found_share = 0.25;
-  double max_redundant_share = 0.9;
+  double max_tracked_share = 0.75;  // ablation
+  double min_seeing_share = 0.07;   // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("max_tracked_share", self.max_tracked_share, 0.0, 1.0,
           "a keyframe is due when fewer of the nearest keyframe's landmarks are tracked");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
     field("min_seeing_share", self.min_seeing_share, 0.0, 1.0,
-          "and when fewer of the frame's keypoints see landmarks");
+          "a keyframe is due when fewer of the frame's keypoints observe landmarks");
+  }
+};
+
+/// How landmarks are created and fused around a new keyframe.
+struct LandmarkOptions {
+  int num_neighbors = 6;          // ablation
+  double min_parallax_deg = 0.6;  // ablation
+  double min_baseline_share =
+      0.01;                     // Mur-Artal et al., 2015, VI-C (code of this project: ablation).
+  double near_quantile = 0.05;  // ablation
+  double min_depth_share = 1.0 / 3;  // ablation
+  double max_ratio = 0.9;            // ablation
+  double octave_tolerance = 1.5;     // ablation
+  double parallel_sigmas = 3;        // Three standard deviations.
+  double fusion_radius_px = 3;       // ablation
+  int num_aligned_keyframes = 30;    // Bounds memory.
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& field) {
     field("num_neighbors", self.num_neighbors, 1, 100,
           "covisible keyframes with which a new one is triangulated and fused");
     field("min_parallax_deg", self.min_parallax_deg, 0.0, 90.0,
-          "of a new landmark, times the scale of the coarser octave that sees it");
-    field("max_distance", self.max_distance, 1, 256,
-          "between the descriptors of a new or fused landmark, bits");
+          "least parallax of a new landmark, degrees times the scale of its coarser octave");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("min_baseline_share", self.min_baseline_share, 0.0, 1.0,
+          "least baseline to a neighbor, as a share of its median depth");
+    field("near_quantile", self.near_quantile, 0.0, 1.0,
+          "quantile of the known depths that stands for the nearest of them");
+    field("min_depth_share", self.min_depth_share, 0.0, 1.0,
+          "least depth of a new landmark, as a share of that quantile");
+    field(
+        "max_ratio", self.max_ratio, 0.1, 1.0,
+        "distance of the nearest descriptor over that of the second nearest near an epipolar line");
+    field("octave_tolerance", self.octave_tolerance, 1.0, 100.0,
+          "octaves by which the scales of a match may contradict its distances, as a factor");
+    field("parallel_sigmas", self.parallel_sigmas, 0.0, 100.0,
+          "angle up to which rays count as parallel, in keypoint standard deviations");
+    field("fusion_radius_px", self.fusion_radius_px, 0.1, 500.0,
+          "search radius around a landmark projected into a neighbor, px of its level");
+    field("num_aligned_keyframes", self.num_aligned_keyframes, 1, 100000,
+          "newest keyframes that keep their patches");
+  }
+};
+
+/// Which landmarks and keyframes are removed.
+struct CullingOptions {
+  double min_found_share = 0.25;     // ablation
+  int num_probation_keyframes = 3;   // ablation
+  int min_observations = 3;          // ablation
+  int min_observations_age = 2;      // ablation
+  double max_redundant_share = 0.9;  // ablation
+  int num_redundant_observers = 3;   // ablation
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& /*self*/, Visitor&& /*field*/) {}
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
     field("min_found_share", self.min_found_share, 0.0, 1.0,
-          "a landmark found in a smaller share of the frames that should see it is culled");
+          "a landmark on probation is culled when found in a smaller share of the frames that "
+          "should see it");
+    field("num_probation_keyframes", self.num_probation_keyframes, 1, 1000,
+          "keyframes during which a new landmark is on probation");
+    field("min_observations", self.min_observations, 2, 1000,
+          "observations that a landmark on probation must reach");
+    field("min_observations_age", self.min_observations_age, 0, 1000,
+          "keyframes after which it must have reached them");
     field("max_redundant_share", self.max_redundant_share, 0.0, 1.0,
-          "a keyframe is culled when more of its landmarks are seen by three others as finely");
+          "a keyframe is culled when more of its landmarks are redundant");
+    field("num_redundant_observers", self.num_redundant_observers, 1, 1000,
+          "other keyframes that make a landmark redundant by observing it as finely");
   }
 };
 
 /// Windowed bundle adjustment.
 struct BundleAdjusterOptions {
-  double keypoint_sigma_px = 1.0;
-  double aligned_sigma_px = 0.6;
-  int max_keyframes = 10;
-  int min_shared_landmarks = 15;
-  int points_per_keyframe = 100;
-  int max_iterations = 4;
+  int max_keyframes = 10;         // ablation
+  int max_iterations = 4;         // ablation
+  int min_shared_landmarks = 15;  // ablation
+  int points_per_keyframe = 100;  // ablation
+  double huber_sigmas = 1;        // ablation
+  int point_iterations = 5;       // ablation
+  int min_latency_frames = 2;     // ablation
+  int max_latency_frames = 4;     // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
-    field("keypoint_sigma_px", self.keypoint_sigma_px, 0.01, 100.0,
-          "standard deviation of a keypoint, px of its own level; used wherever errors are judged");
-    field("aligned_sigma_px", self.aligned_sigma_px, 0.01, 100.0,
-          "the same, of a keypoint that was aligned with its landmark's patch");
-    field("max_keyframes", self.max_keyframes, 2, 1000, "that move in one adjustment");
+    field("max_keyframes", self.max_keyframes, 2, 1000, "free keyframes of one window");
+    field("max_iterations", self.max_iterations, 1, 1000, "iterations of one adjustment");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
     field("min_shared_landmarks", self.min_shared_landmarks, 1, 10000,
-          "with the newest keyframe, for a keyframe to move");
+          "landmarks that a keyframe must share with the newest one to belong to its window");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
-          "that move with the keyframes, the longest tracks first; others are adjusted afterwards");
-    field("max_iterations", self.max_iterations, 1, 1000, "of one adjustment");
+          "points adjusted jointly with the keyframes, longest tracks first; others follow alone");
+    field("huber_sigmas", self.huber_sigmas, 0.01, 100.0,
+          "residual at which Huber's loss becomes linear, in standard deviations");
+    field("point_iterations", self.point_iterations, 1, 1000,
+          "iterations of a point that is adjusted alone");
+    field("min_latency_frames", self.min_latency_frames, 1, 100,
+          "least number of frames after which a result is used");
+    field("max_latency_frames", self.max_latency_frames, 1, 100,
+          "largest number of frames after which a result is used");
   }
 };
 
 /// Estimating the camera while it runs.
 struct CalibrationOptions {
   bool enabled = true;
-  double focal_sigma = 0.002;
-  double k1_sigma = 0.03;
-  double k2_sigma = 0.02;
-  int max_keyframes = 60;
-  int points_per_keyframe = 200;
-  int max_iterations = 10;
+  double focal_sigma = 0.002;         // What a calibration with a board states.
+  double k1_sigma = 0.03;             // ablation
+  double k2_sigma = 0.02;             // ablation
+  int max_keyframes = 60;             // ablation
+  int points_per_keyframe = 200;      // ablation
+  int max_points = 4000;              // ablation
+  int max_iterations = 10;            // ablation
+  double huber_sigmas = 1;            // ablation
+  double information_factor = 3.5;    // docs/calibration.md
+  double gross_error_sigmas = 10;     // ablation
+  int min_keyframes = 5;              // ablation
+  double growth = 4.0 / 3;            // ablation
+  double growth_after_rejection = 2;  // ablation
+  int latency_frames = 4;             // ablation
+  int max_latency_frames = 20;        // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
-    field("enabled", self.enabled, "false: the camera is exactly what it is given as");
+    field("enabled", self.enabled, "false: the camera is taken exactly as given");
     field("focal_sigma", self.focal_sigma, 1e-6, 1.0,
-          "standard deviation of the given focal length, as a share of it");
-    field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "of the given k1 of a pinhole camera");
-    field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "of the given k2");
-    field("max_keyframes", self.max_keyframes, 2, 1000, "that tell the camera, the newest");
+          "standard deviation of a given focal length, as a share of it");
+    field("k1_sigma", self.k1_sigma, 1e-6, 10.0,
+          "standard deviation of a given k1 of a pinhole camera");
+    field("k2_sigma", self.k2_sigma, 1e-6, 10.0,
+          "standard deviation of a given k2 of a pinhole camera");
+  }
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("max_keyframes", self.max_keyframes, 2, 1000,
+          "newest keyframes from which the camera is estimated");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
-          "that tell the camera, the longest tracks first; at most 4000 together");
-    field("max_iterations", self.max_iterations, 1, 1000, "of one estimate");
+          "points of each keyframe in an estimate, longest tracks first");
+    field("max_points", self.max_points, 10, 10000000, "points of an estimate, about");
+    field("max_iterations", self.max_iterations, 1, 1000, "iterations of one estimate");
+    field("huber_sigmas", self.huber_sigmas, 0.01, 100.0,
+          "residual at which Huber's loss becomes linear, in standard deviations");
+    field("information_factor", self.information_factor, 0.01, 1000.0,
+          "weight of the observations' information beside the prior");
+    field("gross_error_sigmas", self.gross_error_sigmas, 1.0, 1e6,
+          "observations with a larger residual are left out of an estimate, standard deviations");
+    field("min_keyframes", self.min_keyframes, 2, 1000, "keyframes before the first estimate");
+    field("growth", self.growth, 1.0, 100.0,
+          "growth of the number of keyframes from one estimate to the next, as a factor");
+    field("growth_after_rejection", self.growth_after_rejection, 1.0, 100.0,
+          "the same factor after an estimate that the prior rejects");
+    field("latency_frames", self.latency_frames, 0, 1000,
+          "frames after which an estimate is used, beyond one for each of its keyframes");
+    field("max_latency_frames", self.max_latency_frames, 1, 1000,
+          "largest number of frames after which an estimate is used");
   }
 };
 
 /// Everything that decides the output of Odometry, apart from the camera and the images.
 struct OdometryOptions {
   orb::ExtractorOptions extractor;
+  MatchingOptions matching;
+  MeasurementOptions measurement;
   InitializerOptions initializer;
+  PoseOptimizerOptions pose_optimizer;
   TrackerOptions tracker;
   RelocalizerOptions relocalizer;
   KeyframeOptions keyframes;
+  LandmarkOptions landmarks;
+  CullingOptions culling;
   BundleAdjusterOptions bundle_adjuster;
   CalibrationOptions calibration;
 
@@ -168,10 +395,15 @@ struct OdometryOptions {
   template <typename Self, typename Visitor>
   static void VisitSections(Self& self, Visitor&& section) {
     section("extractor", self.extractor);
+    section("matching", self.matching);
+    section("measurement", self.measurement);
     section("initializer", self.initializer);
+    section("pose_optimizer", self.pose_optimizer);
     section("tracker", self.tracker);
     section("relocalizer", self.relocalizer);
     section("keyframes", self.keyframes);
+    section("landmarks", self.landmarks);
+    section("culling", self.culling);
     section("bundle_adjuster", self.bundle_adjuster);
     section("calibration", self.calibration);
   }

@@ -79,13 +79,13 @@ std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& homography,
 }
 
 std::vector<PlanarMotion> PlaneHypotheses::Keep(int reference,
-                                                const std::vector<PlanarMotion>& motions) {
-  constexpr double kSamePlaneDeg = 15;
+                                                const std::vector<PlanarMotion>& motions,
+                                                double max_angle_deg) {
   if (reference != reference_) normals_.clear();
   reference_ = reference;
   std::vector<PlanarMotion> kept;
   for (const PlanarMotion& motion : motions) {
-    if (HasSimilar(normals_, motion.normal_in_first, kSamePlaneDeg)) kept.push_back(motion);
+    if (HasSimilar(normals_, motion.normal_in_first, max_angle_deg)) kept.push_back(motion);
   }
   normals_ = NormalsOf(kept.empty() ? motions : kept);
   return kept;

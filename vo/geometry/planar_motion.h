@@ -29,9 +29,10 @@ std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& second_from
 class PlaneHypotheses {
  public:
   /// Of a new view's motions from the frame `reference`, those whose plane is among the ones left
-  /// by the views before. None for the first view of a reference, and where none agrees, which
-  /// starts again.
-  std::vector<PlanarMotion> Keep(int reference, const std::vector<PlanarMotion>& motions);
+  /// by the views before, normals within `max_angle_deg` being the same plane's. None for the first
+  /// view of a reference, and where none agrees, which starts again.
+  std::vector<PlanarMotion> Keep(int reference, const std::vector<PlanarMotion>& motions,
+                                 double max_angle_deg);
 
  private:
   int reference_ = kNoId;

@@ -136,8 +136,6 @@ double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) 
 void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& score,
                   const std::vector<RayMatch>& matches, const InitializerOptions& options,
                   TwoViewResult& result) {
-  constexpr double kMaxSecondMotion = 0.7;  // Of the best one's points.
-  constexpr double kMinShareInFront = 0.9;  // Of the inliers.
   std::size_t second_best = 0;
   for (const SE3& motion : second_from_first) {
     std::vector<TwoViewPoint> points = TriangulateInFront(matches, score.is_inlier, motion);
@@ -150,9 +148,10 @@ void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& s
     }
   }
   const double num_points = static_cast<double>(result.points.size());
-  const bool is_unique = static_cast<double>(second_best) < kMaxSecondMotion * num_points;
-  const bool is_enough =
-      num_points >= options.min_points && num_points >= kMinShareInFront * score.num_inliers;
+  const bool is_unique =
+      static_cast<double>(second_best) < options.max_second_motion_share * num_points;
+  const bool is_enough = num_points >= options.min_points &&
+                         num_points >= options.min_share_in_front * score.num_inliers;
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
   if (!is_unique) {
     result.reason = Reason::kAmbiguousMotion;
@@ -205,13 +204,13 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& homography,
 
 TwoViewResult JudgeRotation(const std::vector<RayMatch>& matches,
                             const InitializerOptions& options) {
-  constexpr std::size_t kMinMatches = 30;
   TwoViewResult result;
   const SO3 second_from_first = EstimateRotation(matches);
   const double parallax = Median(ComputeParallax(matches, second_from_first));
   result.parallax_deg = parallax * 180 / std::numbers::pi;
   const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
-  if (matches.size() < kMinMatches || parallax >= max_parallax) return result;
+  const bool is_enough = static_cast<int>(matches.size()) >= options.min_rotation_matches;
+  if (!is_enough || parallax >= max_parallax) return result;
   result.first_from_second_rotation = second_from_first.Inverse();
   const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
   const bool turned = second_from_first.Angle() > min_turn;

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
@@ -53,6 +54,32 @@ std::string Where(const fs::path& file, const YAML::Mark& mark) {
   return fmt::format("{}:{}: ", file.string(), mark.line + 1);
 }
 
+/// Keys of version 0.1, with what has taken their place.
+const std::map<std::string, std::string> kMovedKeys = {
+    {"bundle_adjuster.aligned_sigma_px", "measurement.aligned_sigma_px"},
+    {"bundle_adjuster.keypoint_sigma_px", "measurement.keypoint_sigma_px"},
+    {"keyframes.max_distance", "matching.max_distance"},
+    {"keyframes.min_parallax_deg", "landmarks.min_parallax_deg"},
+    {"keyframes.num_neighbors", "landmarks.num_neighbors"},
+    {"tracker.max_distance", "matching.max_tracking_distance"},
+    {"bundle_adjuster.min_shared_landmarks", "BundleAdjusterOptions::min_shared_landmarks in C++"},
+    {"bundle_adjuster.points_per_keyframe", "BundleAdjusterOptions::points_per_keyframe in C++"},
+    {"calibration.max_iterations", "CalibrationOptions::max_iterations in C++"},
+    {"calibration.max_keyframes", "CalibrationOptions::max_keyframes in C++"},
+    {"calibration.points_per_keyframe", "CalibrationOptions::points_per_keyframe in C++"},
+    {"initializer.max_homography_share", "InitializerOptions::max_homography_share in C++"},
+    {"initializer.min_parallax_sigmas", "InitializerOptions::min_parallax_sigmas in C++"},
+    {"initializer.min_points", "InitializerOptions::min_points in C++"},
+    {"keyframes.max_redundant_share", "CullingOptions::max_redundant_share in C++"},
+    {"keyframes.min_found_share", "CullingOptions::min_found_share in C++"},
+    {"keyframes.min_seeing_share", "KeyframeOptions::min_seeing_share in C++"},
+    {"relocalizer.max_candidates", "RelocalizerOptions::max_candidates in C++"},
+    {"relocalizer.min_inliers", "RelocalizerOptions::min_inliers in C++"},
+    {"tracker.max_local_keyframes", "TrackerOptions::max_local_keyframes in C++"},
+    {"tracker.max_ratio", "TrackerOptions::max_ratio in C++"},
+    {"tracker.min_matches", "TrackerOptions::min_matches in C++"},
+};
+
 /// A mapping of a file. Keys are named in errors with their section before them.
 class Section {
  public:
@@ -73,6 +100,9 @@ class Section {
       const std::string& key = entry.first.Scalar();
       if (!seen.insert(key).second) throw Error(where + Named(key) + " is given twice");
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      if (const auto moved = kMovedKeys.find(Named(key)); moved != kMovedKeys.end()) {
+        throw Error(fmt::format("{}the key {} is now {}", where, Named(key), moved->second));
+      }
       throw Error(fmt::format("{}unknown key {}; the nearest known key is {}", where, Named(key),
                               Named(Nearest(key, known))));
     }
@@ -264,7 +294,9 @@ YAML::Node Load(const fs::path& file) {
 
 std::vector<std::string> SectionNames(const OdometryOptions& options) {
   std::vector<std::string> names;
-  OdometryOptions::VisitSections(options, NameCollector{names});
+  OdometryOptions::VisitSections(options, [&](const char* name, const auto& fields) {
+    if (!FieldNames(fields).empty()) names.emplace_back(name);
+  });
   return names;
 }
 
@@ -365,6 +397,7 @@ OdometryOptions ReadOptions(const fs::path& file) {
 std::string WriteOptions(const OdometryOptions& options) {
   std::string text = "# Options of corvo. Keys left out keep their defaults.\n";
   OdometryOptions::VisitSections(options, [&text](const char* name, const auto& fields) {
+    if (FieldNames(fields).empty()) return;
     text += fmt::format("\n{}:\n", name);
     std::decay_t<decltype(fields)>::Visit(fields, FieldWriter("  ", text));
   });

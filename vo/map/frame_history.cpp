@@ -12,13 +12,13 @@ SE3 Interpolate(const SE3& first, const SE3& second, double share) {
 
 }  // namespace
 
-void FrameRecords::SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map) {
+void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map) {
   Record& record = records_[frame];
   record.keyframe = FindKeyframe(frame, segment, map);
   record.from_camera = map.WorldFromKeyframe(record.keyframe).Inverse() * world_from_camera;
 }
 
-KeyframeId FrameRecords::FindKeyframe(int frame, int segment, const Map& map) const {
+KeyframeId FrameHistory::FindKeyframe(int frame, int segment, const Map& map) const {
   KeyframeId found = kNoId;
   for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe) {
     if (map.SegmentOf(keyframe->first) != segment) break;
@@ -28,7 +28,7 @@ KeyframeId FrameRecords::FindKeyframe(int frame, int segment, const Map& map) co
   return found;
 }
 
-void FrameRecords::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
+void FrameHistory::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
   Join(keyframes_.insert({keyframe, {frame, SE3()}}).first, map);
   if (IsPosed(frame)) return;
   records_[frame].outcome.is_keyframe = true;
@@ -36,13 +36,13 @@ void FrameRecords::AddKeyframe(int frame, KeyframeId keyframe, const Map& map) {
   records_[frame].from_camera = SE3();
 }
 
-void FrameRecords::Join(Keyframes::iterator keyframe, const Map& map) {
+void FrameHistory::Join(Keyframes::iterator keyframe, const Map& map) {
   if (keyframe == keyframes_.begin()) return;
   keyframe->second.from_before = map.WorldFromKeyframe(keyframe->first).Inverse() *
                                  map.WorldFromKeyframe(std::prev(keyframe)->first);
 }
 
-void FrameRecords::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
+void FrameHistory::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
   const auto removed = keyframes_.find(keyframe);
   const auto before = std::prev(removed);
   const auto after = std::next(removed);
@@ -57,12 +57,12 @@ void FrameRecords::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
   Join(after, map);
 }
 
-void FrameRecords::SetRotation(int frame, int reference, const SO3& reference_from_camera) {
+void FrameHistory::SetRotation(int frame, int reference, const SO3& reference_from_camera) {
   records_[frame].reference = reference;
   records_[frame].from_camera = SE3(reference_from_camera, Eigen::Vector3d::Zero());
 }
 
-SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
+SE3 FrameHistory::PoseOf(int frame, const Map& map) const {
   const Record& record = records_[frame];
   const SE3 by_first = map.WorldFromKeyframe(record.keyframe) * record.from_camera;
   const auto first = keyframes_.find(record.keyframe);
@@ -77,7 +77,7 @@ SE3 FrameRecords::PoseOf(int frame, const Map& map) const {
   return Interpolate(by_first, by_second, to_first / (to_first + to_second));
 }
 
-std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {
+std::optional<SO3> FrameHistory::RotationOf(int frame, const Map& map) const {
   SO3 ancestor_from_camera;
   for (int ancestor = frame;;) {
     const Record& record = records_[ancestor];
@@ -89,7 +89,7 @@ std::optional<SO3> FrameRecords::RotationOf(int frame, const Map& map) const {
   }
 }
 
-FrameResult FrameRecords::ResultOf(int frame, const Map& map) const {
+FrameResult FrameHistory::ResultOf(int frame, const Map& map) const {
   FrameResult result{records_[frame].outcome, {}, {}};
   if (IsPosed(frame)) result.world_from_camera = PoseOf(frame, map);
   if (IsPosed(frame) || result.state == State::kRotationOnly) {
@@ -98,7 +98,7 @@ FrameResult FrameRecords::ResultOf(int frame, const Map& map) const {
   return result;
 }
 
-Trajectory FrameRecords::ToTrajectory(const Map& map) const {
+Trajectory FrameHistory::ToTrajectory(const Map& map) const {
   Trajectory trajectory;
   for (int frame = 0; frame < size(); ++frame) trajectory.frames.push_back(ResultOf(frame, map));
   return trajectory;

@@ -18,7 +18,7 @@ namespace corvo {
 /// segment before and after it: where these move against each other, it moves as they do, weighted
 /// by how near it is to either. With a keyframe on one side only it moves as that does. A frame of
 /// which only the rotation is known hangs on another frame.
-class FrameRecords {
+class FrameHistory {
  public:
   int size() const { return static_cast<int>(records_.size()); }
   void Add(const FrameOutcome& outcome) { records_.emplace_back().outcome = outcome; }

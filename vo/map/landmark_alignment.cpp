@@ -37,28 +37,26 @@ struct AlignedKeypoint {
   Eigen::Vector2d ray;
 };
 
-/// Where keypoint `k` of a frame shows what lies `offset_px` from the middle of a patch.
-std::optional<AlignedKeypoint> AlignWithPatch(const orb::Patch& patch, int patch_octave,
-                                              const Eigen::Vector2d& offset_px,
-                                              const Eigen::Matrix2d& reference_from_frame,
-                                              const Camera& camera,
-                                              const std::vector<double>& octave_scales,
-                                              const Frame& frame, int k) {
+/// Where keypoint `k` of a frame shows what the patch of a reference shows at its offset.
+std::optional<AlignedKeypoint> AlignWithReference(const Reference& reference,
+                                                  const Eigen::Matrix2d& reference_from_frame,
+                                                  const MeasurementModel& model, const Frame& frame,
+                                                  int k) {
   constexpr float kMinCorrelation = 0.8F;
-  const double scale = octave_scales[frame.keypoint(k).octave];
-  const orb::PatchWarp warp = ToWarp(scale / octave_scales[patch_octave] * reference_from_frame);
-  const auto alignment = orb::AlignPatch(patch, frame.patches[k], warp);
+  const double scale = model.Scale(frame, k);
+  const orb::PatchWarp warp =
+      ToWarp(scale / model.octave_scales[reference.octave] * reference_from_frame);
+  const auto alignment = orb::AlignPatch(*reference.patch, frame.patches[k], warp);
   if (!alignment || alignment->correlation < kMinCorrelation) return std::nullopt;
   const Eigen::Vector2d pixel = frame.detected_pixel(k) +
                                 scale * Eigen::Vector2d(alignment->x, alignment->y) +
-                                reference_from_frame.inverse() * offset_px;
-  const auto ray = camera.Undistort(pixel);
+                                reference_from_frame.inverse() * reference.offset_px;
+  const auto ray = model.camera.Undistort(pixel);
   if (!ray) return std::nullopt;
   return AlignedKeypoint{pixel, *ray};
 }
 
-std::optional<AlignedKeypoint> Align(const Map& map, const Landmark& landmark, const Camera& camera,
-                                     const std::vector<double>& octave_scales, const Frame& frame,
+std::optional<AlignedKeypoint> Align(const Map& map, const Landmark& landmark, const Frame& frame,
                                      int k) {
   const Reference& reference = landmark.reference;
   if (!reference.patch || frame.patches.empty()) return std::nullopt;
@@ -66,17 +64,15 @@ std::optional<AlignedKeypoint> Align(const Map& map, const Landmark& landmark, c
   const SE3 frame_from_world = frame.world_from_camera.Inverse();
   const auto reference_from_frame = ReferenceFromFrame(
       reference_from_world * landmark.in_world, frame_from_world * landmark.in_world,
-      frame_from_world.rotation() * reference_from_world.rotation().Inverse(), camera);
+      frame_from_world.rotation() * reference_from_world.rotation().Inverse(), map.camera());
   if (!reference_from_frame) return std::nullopt;
-  return AlignWithPatch(*reference.patch, reference.octave, reference.offset_px,
-                        *reference_from_frame, camera, octave_scales, frame, k);
+  return AlignWithReference(reference, *reference_from_frame, map.model(), frame, k);
 }
 
 }  // namespace
 
-bool AlignKeypoint(const Map& map, const Landmark& landmark, const Camera& camera,
-                   const std::vector<double>& octave_scales, Frame& frame, int k) {
-  const auto aligned = Align(map, landmark, camera, octave_scales, frame, k);
+bool AlignKeypoint(const Map& map, const Landmark& landmark, Frame& frame, int k) {
+  const auto aligned = Align(map, landmark, frame, k);
   if (!aligned) return false;
   frame.pixels[k] = aligned->pixel;
   frame.rays[k] = aligned->ray;
@@ -84,12 +80,11 @@ bool AlignKeypoint(const Map& map, const Landmark& landmark, const Camera& camer
   return true;
 }
 
-bool AlignObservation(LandmarkId id, const Observation& observation, const Camera& camera,
-                      const std::vector<double>& octave_scales, Map& map) {
+bool AlignObservation(LandmarkId id, const Observation& observation, Map& map) {
   const Landmark& landmark = *map.FindLandmark(id);
   if (observation.keyframe == landmark.reference.keyframe) return false;
-  const auto aligned = Align(map, landmark, camera, octave_scales,
-                             map.keyframe(observation.keyframe).frame, observation.keypoint);
+  const auto aligned =
+      Align(map, landmark, map.keyframe(observation.keyframe).frame, observation.keypoint);
   if (!aligned) return false;
   map.SetPixel(observation, aligned->pixel, aligned->ray);
   return true;
@@ -97,26 +92,25 @@ bool AlignObservation(LandmarkId id, const Observation& observation, const Camer
 
 std::optional<Eigen::Vector2d> AlignRotatedMatch(const Frame& first, const Frame& second,
                                                  const orb::Match& match,
-                                                 const SO3& second_from_first, const Camera& camera,
-                                                 const std::vector<double>& octave_scales) {
+                                                 const SO3& second_from_first,
+                                                 const MeasurementModel& model) {
   if (first.patches.empty() || second.patches.empty()) return std::nullopt;
   const Eigen::Vector3d in_first = first.rays[match.query].homogeneous();
   const auto first_from_second =
-      ReferenceFromFrame(in_first, second_from_first * in_first, second_from_first, camera);
+      ReferenceFromFrame(in_first, second_from_first * in_first, second_from_first, model.camera);
   if (!first_from_second) return std::nullopt;
+  const Reference reference{kNoId, first.keypoint(match.query).octave, first.patches[match.query],
+                            first.pixel(match.query) - first.detected_pixel(match.query)};
   const auto aligned =
-      AlignWithPatch(first.patches[match.query], first.keypoint(match.query).octave,
-                     first.pixel(match.query) - first.detected_pixel(match.query),
-                     *first_from_second, camera, octave_scales, second, match.train);
+      AlignWithReference(reference, *first_from_second, model, second, match.train);
   if (!aligned) return std::nullopt;
   return aligned->ray;
 }
 
-void AlignKeypoints(const Map& map, const Camera& camera, const std::vector<double>& octave_scales,
-                    Frame& frame) {
+void AlignKeypoints(const Map& map, Frame& frame) {
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     const Landmark* landmark = map.FindLandmark(frame.landmarks[k]);
-    if (landmark != nullptr) AlignKeypoint(map, *landmark, camera, octave_scales, frame, k);
+    if (landmark != nullptr) AlignKeypoint(map, *landmark, frame, k);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "vo/camera/camera.h"
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
 
@@ -14,22 +13,19 @@ namespace corvo {
 /// from frame to frame would bias the scale of the map. The reference's patch is taken as a plane
 /// parallel to its picture. Returns false, and leaves the keypoint, where the patches do not fit or
 /// there are none.
-bool AlignKeypoint(const Map& map, const Landmark& landmark, const Camera& camera,
-                   const std::vector<double>& octave_scales, Frame& frame, int k);
+bool AlignKeypoint(const Map& map, const Landmark& landmark, Frame& frame, int k);
 
 /// AlignKeypoint for an observation of the map.
-bool AlignObservation(LandmarkId landmark, const Observation& observation, const Camera& camera,
-                      const std::vector<double>& octave_scales, Map& map);
+bool AlignObservation(LandmarkId landmark, const Observation& observation, Map& map);
 
 /// The ray by which the second of two frames shows exactly what a keypoint of the first sees, where
 /// between them the camera only turned. None where the patches do not fit or there are none.
 std::optional<Eigen::Vector2d> AlignRotatedMatch(const Frame& first, const Frame& second,
                                                  const orb::Match& match,
-                                                 const SO3& second_from_first, const Camera& camera,
-                                                 const std::vector<double>& octave_scales);
+                                                 const SO3& second_from_first,
+                                                 const MeasurementModel& model);
 
 /// AlignKeypoint for every keypoint of a frame that sees a landmark.
-void AlignKeypoints(const Map& map, const Camera& camera, const std::vector<double>& octave_scales,
-                    Frame& frame);
+void AlignKeypoints(const Map& map, Frame& frame);
 
 }  // namespace corvo

@@ -4,15 +4,14 @@
 
 namespace corvo {
 
-Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark, const Camera& camera,
-                                   const KeypointNoise& noise) {
+Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark) {
   constexpr double kSigmaAlong = 10;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const Observation& o : landmark.observations) {
     const Frame& frame = map.keyframe(o.keyframe).frame;
     const Eigen::Vector3d ray = landmark.in_world - frame.world_from_camera.translation();
     const double squared_distance = ray.squaredNorm();
-    const double sigma_across = noise.Sigma(frame, o.keypoint) / camera.focal();
+    const double sigma_across = map.model().Sigma(frame, o.keypoint) / map.camera().focal();
     const Eigen::Matrix3d along = ray * ray.transpose() / squared_distance;
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
     information += (across / (sigma_across * sigma_across) + along / (kSigmaAlong * kSigmaAlong)) /

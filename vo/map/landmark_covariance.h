@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "vo/camera/camera.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
 
 namespace corvo {
@@ -13,7 +11,6 @@ namespace corvo {
 /// camera.focal(), and along r next to nothing, to 10 d:
 ///
 ///     C⁻¹ = Σ (f / (σ d))² (I - r rᵀ) + r rᵀ / (10 d)²
-Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark, const Camera& camera,
-                                   const KeypointNoise& noise);
+Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark);
 
 }  // namespace corvo

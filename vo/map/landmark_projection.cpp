@@ -23,13 +23,12 @@ orb::SearchWindow LandmarkView::Window(double radius_px, int octaves_below,
 }
 
 std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3& world_from_camera,
-                                            const Camera& camera,
-                                            const std::vector<double>& octave_scales) {
+                                            const MeasurementModel& model) {
   constexpr double kMinViewCosine = 0.5;
   constexpr double kDistanceTolerance = 1.25;
   const Eigen::Vector3d offset = landmark.in_world - world_from_camera.translation();
   const double distance = offset.norm();
-  const double min_distance = landmark.max_distance / octave_scales.back();
+  const double min_distance = landmark.max_distance / model.octave_scales.back();
   if (distance > landmark.max_distance * kDistanceTolerance ||
       distance * kDistanceTolerance < min_distance) {
     return std::nullopt;
@@ -37,10 +36,10 @@ std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3&
   LandmarkView view;
   view.view_cosine = offset.dot(landmark.view_direction) / distance;
   if (view.view_cosine < kMinViewCosine) return std::nullopt;
-  const auto pixel = camera.Project(world_from_camera.rotation().Inverse() * offset);
-  if (!pixel || !camera.Contains(*pixel)) return std::nullopt;
+  const auto pixel = model.camera.Project(world_from_camera.rotation().Inverse() * offset);
+  if (!pixel || !model.camera.Contains(*pixel)) return std::nullopt;
   view.pixel = *pixel;
-  view.octave = PredictOctave(landmark.max_distance, distance, octave_scales);
+  view.octave = PredictOctave(landmark.max_distance, distance, model.octave_scales);
   return view;
 }
 

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "orb/matcher.h"
-#include "vo/camera/camera.h"
 #include "vo/lie/se3.h"
 #include "vo/map/map.h"
 
@@ -24,7 +23,6 @@ struct LandmarkView {
 /// None if the landmark lies behind the camera or outside the picture, at a distance from which no
 /// octave shows it, or is seen from more than 60 degrees beside its mean view direction.
 std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3& world_from_camera,
-                                            const Camera& camera,
-                                            const std::vector<double>& octave_scales);
+                                            const MeasurementModel& model);
 
 }  // namespace corvo

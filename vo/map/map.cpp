@@ -44,7 +44,7 @@ std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, 
   return keyframes;
 }
 
-std::vector<KeyframeId> Map::KeptKeyframes() const {
+std::vector<KeyframeId> Map::ActiveKeyframes() const {
   std::vector<KeyframeId> kept;
   for (const auto& [id, keyframe] : keyframes_) kept.push_back(id);
   std::sort(kept.begin(), kept.end());
@@ -58,7 +58,7 @@ SE3 Map::WorldFromKeyframe(KeyframeId id) const {
     id = places_[id].anchor;
   }
   const SE3& world_from_current =
-      IsKept(id) ? keyframe(id).frame.world_from_camera : places_[id].pose;
+      IsActive(id) ? keyframe(id).frame.world_from_camera : places_[id].pose;
   return world_from_current * current_from_keyframe;
 }
 
@@ -88,7 +88,7 @@ KeyframeId Map::AddKeyframe(Frame frame, int segment) {
   return id;
 }
 
-void Map::RetireKeyframe(KeyframeId id, KeyframeId anchor) {
+void Map::CullKeyframe(KeyframeId id, KeyframeId anchor) {
   for (const LandmarkId landmark : LandmarksOf(id)) {
     if (FindLandmark(landmark) != nullptr) RemoveObservation(landmark, id);
   }
@@ -97,7 +97,7 @@ void Map::RetireKeyframe(KeyframeId id, KeyframeId anchor) {
   keyframes_.erase(id);
 }
 
-std::vector<FinishedLandmark> Map::ArchiveKeyframe(KeyframeId id) {
+std::vector<FinishedLandmark> Map::MarginalizeKeyframe(KeyframeId id) {
   std::vector<FinishedLandmark> finished;
   for (const LandmarkId landmark_id : LandmarksOf(id)) {
     const Landmark& landmark = landmarks_.at(landmark_id);
@@ -116,9 +116,7 @@ void Map::DropPatches(KeyframeId id) {
   if (found != keyframes_.end()) std::vector<orb::Patch>().swap(found->second.frame.patches);
 }
 
-void Map::UpdateRays(const Camera& camera, KeyframeId id) {
-  corvo::UpdateRays(camera, keyframes_.at(id).frame);
-}
+void Map::UpdateRays(KeyframeId id) { corvo::UpdateRays(model_.camera, keyframes_.at(id).frame); }
 
 void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {
   keyframes_.at(id).frame.world_from_camera = world_from_camera;
@@ -191,6 +189,16 @@ void Map::ForgetMergesBefore(KeyframeId keyframe) {
   }
 }
 
+void Map::CountSeen(const std::vector<LandmarkId>& visible, const Frame& frame) {
+  for (const LandmarkId id : visible) {
+    const auto landmark = landmarks_.find(id);
+    if (landmark != landmarks_.end()) ++landmark->second.num_visible;
+  }
+  for (const LandmarkId id : frame.landmarks) {
+    if (id != kNoId) ++landmarks_.at(id).num_found;
+  }
+}
+
 void Map::AddObservation(LandmarkId id, const Observation& observation) {
   std::vector<Observation>& observations = landmarks_.at(id).observations;
   const auto later = std::find_if(observations.begin(), observations.end(),
@@ -208,7 +216,7 @@ void Map::RemoveObservation(LandmarkId id, KeyframeId keyframe) {
   if (landmark.observations.size() < 2) RemoveLandmark(id);
 }
 
-void Map::UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scales) {
+void Map::UpdateAppearance(LandmarkId id) {
   Landmark& landmark = landmarks_.at(id);
   std::vector<orb::Descriptor> descriptors;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -222,7 +230,7 @@ void Map::UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scal
   const Observation& first = landmark.observations.front();
   const Frame& frame = keyframe(first.keyframe).frame;
   landmark.max_distance = (landmark.in_world - frame.world_from_camera.translation()).norm() *
-                          octave_scales[frame.keypoint(first.keypoint).octave];
+                          model_.Scale(frame, first.keypoint);
 }
 
 std::size_t Map::working_set_bytes() const {

@@ -10,6 +10,7 @@
 #include "orb/types.h"
 #include "vo/core/conventions.h"
 #include "vo/map/frame.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo {
 
@@ -81,18 +82,28 @@ std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, 
 ///
 /// A keyframe leaves when it is retired or archived. Then its features and observations are gone;
 /// its id, segment and pose stay.
+///
+/// All its images are measured by one model, whose camera may be estimated anew.
 class Map {
  public:
+  explicit Map(MeasurementModel model) : model_(std::move(model)) {}
+
+  const MeasurementModel& model() const { return model_; }
+  const Camera& camera() const { return model_.camera; }
+  /// Keyframes get their rays by this camera when they are next used: see UpdateRays.
+  void SetCamera(const Camera& camera) { model_.camera = camera; }
+
+  bool empty() const { return places_.empty(); }
   int num_keyframes() const { return static_cast<int>(places_.size()); }  ///< Also those that left.
   int num_landmarks() const { return static_cast<int>(landmarks_.size()); }  ///< That live.
   int num_landmark_ids() const { return num_landmark_ids_; }
 
   /// It has not left.
-  bool IsKept(KeyframeId id) const { return keyframes_.count(id) > 0; }
+  bool IsActive(KeyframeId id) const { return keyframes_.count(id) > 0; }
   /// It was retired: its frame is one like any other.
-  bool IsRetired(KeyframeId id) const { return places_[id].anchor != kNoId; }
+  bool IsCulled(KeyframeId id) const { return places_[id].anchor != kNoId; }
   /// Those that have not left, in ascending order.
-  std::vector<KeyframeId> KeptKeyframes() const;
+  std::vector<KeyframeId> ActiveKeyframes() const;
   /// Of one that is kept.
   const Keyframe& keyframe(KeyframeId id) const { return keyframes_.at(id); }
 
@@ -110,16 +121,16 @@ class Map {
   /// Keeps a frame; its `landmarks` become observations.
   KeyframeId AddKeyframe(Frame frame, int segment);
   /// The keyframe leaves; its pose hangs on `anchor` from now on.
-  void RetireKeyframe(KeyframeId id, KeyframeId anchor);
+  void CullKeyframe(KeyframeId id, KeyframeId anchor);
   /// Drops the patches around a keyframe's keypoints: nothing more is aligned in it. No effect on
   /// one that is not kept.
   void DropPatches(KeyframeId id);
   /// corvo::UpdateRays of a keyframe that is kept: to be called before its rays are used, since the
   /// camera may have been estimated anew.
-  void UpdateRays(const Camera& camera, KeyframeId id);
+  void UpdateRays(KeyframeId id);
   /// The keyframe leaves; its pose stays as it is for ever. Landmarks that lose their second last
   /// observation leave with it and are returned, in the order of its keypoints.
-  std::vector<FinishedLandmark> ArchiveKeyframe(KeyframeId id);
+  std::vector<FinishedLandmark> MarginalizeKeyframe(KeyframeId id);
   /// Of a keyframe that is kept.
   void SetPose(KeyframeId id, const SE3& world_from_camera);
 
@@ -134,8 +145,9 @@ class Map {
   void MergeLandmark(LandmarkId from, LandmarkId into);
   /// Forgets what was merged before the keyframe was added.
   void ForgetMergesBefore(KeyframeId keyframe);
-  void CountVisible(LandmarkId id) { ++landmarks_.at(id).num_visible; }
-  void CountFound(LandmarkId id) { ++landmarks_.at(id).num_found; }
+  /// Counts a frame in which landmarks should be visible, those that still exist, and those that it
+  /// observes as found.
+  void CountSeen(const std::vector<LandmarkId>& visible, const Frame& frame);
 
   /// The keypoint must see nothing yet, and the landmark nothing in that keyframe.
   void AddObservation(LandmarkId id, const Observation& observation);
@@ -143,8 +155,10 @@ class Map {
   void RemoveObservation(LandmarkId id, KeyframeId keyframe);
 
   /// Recomputes descriptor, view direction and distance from the observations.
-  void UpdateAppearance(LandmarkId id, const std::vector<double>& octave_scales);
+  void UpdateAppearance(LandmarkId id);
 
+  /// Landmarks that an active keyframe observes, in the order of its keypoints.
+  std::vector<LandmarkId> LandmarksOf(KeyframeId id) const;
   /// Landmarks that any of the keyframes sees, in id order.
   std::vector<LandmarkId> FindSeen(const std::vector<KeyframeId>& keyframes) const;
 
@@ -174,8 +188,7 @@ class Map {
   std::vector<Covisible> CountShared(const std::vector<LandmarkId>& landmarks, KeyframeId except,
                                      int min_shared) const;
 
-  std::vector<LandmarkId> LandmarksOf(KeyframeId id) const;
-
+  MeasurementModel model_;
   std::unordered_map<KeyframeId, Keyframe> keyframes_;  // Kept.
   std::unordered_map<LandmarkId, Landmark> landmarks_;  // Living.
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;

@@ -1,41 +1,44 @@
 #include "vo/mapping/culling.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace corvo {
 namespace {
 
-enum class Verdict { kOnTrial, kKept, kCulled };
+enum class Verdict { kOnProbation, kAccepted, kCulled };
 
-Verdict Judge(const Landmark& landmark, int num_keyframes, double min_found_share) {
-  constexpr int kTrialKeyframes = 3;
-  constexpr std::size_t kMinObservations = 3;
-  if (landmark.num_found < min_found_share * landmark.num_visible) return Verdict::kCulled;
+Verdict Judge(const Landmark& landmark, int num_keyframes, const CullingOptions& options) {
+  if (landmark.num_found < options.min_found_share * landmark.num_visible) return Verdict::kCulled;
   const int age = num_keyframes - 1 - landmark.newest_keyframe;
-  if (age >= 2 && landmark.observations.size() < kMinObservations) return Verdict::kCulled;
-  return age >= kTrialKeyframes ? Verdict::kKept : Verdict::kOnTrial;
+  const int num_observations = static_cast<int>(landmark.observations.size());
+  const bool has_too_few = num_observations < options.min_observations;
+  if (age >= options.min_observations_age && has_too_few) return Verdict::kCulled;
+  return age >= options.num_probation_keyframes ? Verdict::kAccepted : Verdict::kOnProbation;
 }
 
-/// Seen by three or more other keyframes in the same or a finer octave (one coarser counts).
-bool IsRedundant(const Map& map, const Landmark& landmark, KeyframeId keyframe, int octave) {
-  constexpr int kMinOthers = 3;
+/// Whether enough other keyframes observe a landmark in the same or a finer octave (one coarser
+/// counts as the same).
+bool IsRedundant(const Map& map, const Landmark& landmark, const Observation& observation,
+                 int num_observers) {
+  const int octave = map.keyframe(observation.keyframe).frame.keypoint(observation.keypoint).octave;
   int num_others = 0;
   for (const Observation& o : landmark.observations) {
-    if (o.keyframe == keyframe) continue;
+    if (o.keyframe == observation.keyframe) continue;
     const Frame& other = map.keyframe(o.keyframe).frame;
     num_others += other.keypoint(o.keypoint).octave <= octave + 1;
   }
-  return num_others >= kMinOthers;
+  return num_others >= num_observers;
 }
 
-double RedundantShare(const Map& map, const Keyframe& keyframe) {
+double RedundantShare(const Map& map, const Keyframe& keyframe, int num_observers) {
   int num_landmarks = 0;
   int num_redundant = 0;
   for (int k = 0; k < keyframe.frame.num_keypoints(); ++k) {
     const Landmark* landmark = map.FindLandmark(keyframe.frame.landmarks[k]);
     if (landmark == nullptr) continue;
     ++num_landmarks;
-    num_redundant += IsRedundant(map, *landmark, keyframe.id, keyframe.frame.keypoint(k).octave);
+    num_redundant += IsRedundant(map, *landmark, {keyframe.id, k}, num_observers);
   }
   return num_landmarks == 0 ? 1.0 : static_cast<double>(num_redundant) / num_landmarks;
 }
@@ -54,45 +57,47 @@ bool SharesLandmark(const Map& map, const Keyframe& keyframe, KeyframeId newest)
 
 }  // namespace
 
-void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<LandmarkId>& recent) {
-  std::vector<LandmarkId> on_trial;
-  for (const LandmarkId id : recent) {
+void CullLandmarks(const CullingOptions& options, std::vector<LandmarkId>& probation, Map& map) {
+  std::vector<LandmarkId> remaining;
+  for (const LandmarkId id : probation) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
-    const Verdict verdict = Judge(*landmark, map.num_keyframes(), options.min_found_share);
+    const Verdict verdict = Judge(*landmark, map.num_keyframes(), options);
     if (verdict == Verdict::kCulled) map.RemoveLandmark(id);
-    if (verdict == Verdict::kOnTrial) on_trial.push_back(id);
+    if (verdict == Verdict::kOnProbation) remaining.push_back(id);
   }
-  recent = on_trial;
+  probation = std::move(remaining);
 }
 
-std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options) {
-  std::vector<KeyframeId> candidates, retired;
+std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& options, Map& map) {
+  std::vector<KeyframeId> candidates, culled;
   for (const Covisible& covisible : map.FindCovisible(newest)) {
     candidates.push_back(covisible.keyframe);
   }
   std::sort(candidates.begin(), candidates.end());
   for (const KeyframeId id : candidates) {
-    if (IsFirstOfSegment(map, map.keyframe(id))) continue;
-    if (RedundantShare(map, map.keyframe(id)) <= options.max_redundant_share) continue;
+    const Keyframe& keyframe = map.keyframe(id);
+    if (IsFirstOfSegment(map, keyframe)) continue;
+    const double share = RedundantShare(map, keyframe, options.num_redundant_observers);
+    if (share <= options.max_redundant_share) continue;
     const std::vector<Covisible> neighbors = map.FindCovisible(id);
     if (neighbors.empty()) continue;
-    map.RetireKeyframe(id, neighbors.front().keyframe);
-    retired.push_back(id);
+    map.CullKeyframe(id, neighbors.front().keyframe);
+    culled.push_back(id);
   }
-  return retired;
+  return culled;
 }
 
-std::vector<FinishedLandmark> ArchiveKeyframes(
-    Map& map, int num_recent, const std::function<void(const Keyframe&)>& leaving) {
+std::vector<FinishedLandmark> MarginalizeKeyframes(
+    int num_recent, const std::function<void(const Keyframe&)>& before, Map& map) {
   map.ForgetMergesBefore(map.num_keyframes() - num_recent);
-  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const std::vector<KeyframeId> active = map.ActiveKeyframes();
   std::vector<FinishedLandmark> finished;
-  if (static_cast<int>(kept.size()) <= num_recent) return finished;
-  for (auto id = kept.begin(); id != kept.end() - num_recent; ++id) {
-    if (SharesLandmark(map, map.keyframe(*id), kept.back())) continue;
-    if (leaving) leaving(map.keyframe(*id));
-    const std::vector<FinishedLandmark> left = map.ArchiveKeyframe(*id);
+  if (static_cast<int>(active.size()) <= num_recent) return finished;
+  for (auto id = active.begin(); id != active.end() - num_recent; ++id) {
+    if (SharesLandmark(map, map.keyframe(*id), active.back())) continue;
+    if (before) before(map.keyframe(*id));
+    const std::vector<FinishedLandmark> left = map.MarginalizeKeyframe(*id);
     finished.insert(finished.end(), left.begin(), left.end());
   }
   return finished;

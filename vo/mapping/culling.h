@@ -4,26 +4,25 @@
 #include <vector>
 
 #include "vo/core/options.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
 
 namespace corvo {
 
-/// Removes recent landmarks that do not prove themselves: found in too small a share of the frames
-/// that should see them, or seen by fewer than three keyframes after two more were made. `recent`
-/// keeps those still on trial.
-void CullLandmarks(Map& map, const KeyframeOptions& options, std::vector<LandmarkId>& recent);
+/// Removes landmarks on probation that do not prove themselves: found in too small a share of the
+/// frames that should see them, or observed by too few keyframes by the end of their probation.
+/// Afterwards `probation` holds those that are still on probation.
+void CullLandmarks(const CullingOptions& options, std::vector<LandmarkId>& probation, Map& map);
 
-/// Retires the keyframes covisible with `newest` whose landmarks are nearly all seen by at least
-/// three other keyframes in the same or a finer octave, and returns them in ascending order. Keeps
-/// the first keyframe of a segment.
-std::vector<KeyframeId> CullKeyframes(Map& map, KeyframeId newest, const KeyframeOptions& options);
+/// Culls the keyframes covisible with `newest` whose landmarks are nearly all observed by enough
+/// other keyframes in the same or a finer octave, and returns them in ascending order. Keeps the
+/// first keyframe of a segment.
+std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& options, Map& map);
 
-/// Archives the keyframes that nothing looks at any more: older than the `num_recent` newest that
-/// are kept, and without a landmark of the newest. Returns the landmarks that left. Forgets merges
-/// from before the `num_recent` newest keyframes of all. `leaving` is called with each keyframe
-/// before it leaves.
-std::vector<FinishedLandmark> ArchiveKeyframes(
-    Map& map, int num_recent, const std::function<void(const Keyframe&)>& leaving = {});
+/// Marginalizes the keyframes that nothing searches any more: older than the `num_recent` newest
+/// active ones, and without a landmark of the newest. Returns the landmarks that left the map with
+/// them. Forgets merges from before the `num_recent` newest keyframes of all. `before` is called
+/// with each keyframe before it leaves.
+std::vector<FinishedLandmark> MarginalizeKeyframes(
+    int num_recent, const std::function<void(const Keyframe&)>& before, Map& map);
 
 }  // namespace corvo

@@ -3,18 +3,27 @@
 #include <vector>
 
 #include "orb/matcher.h"
-#include "vo/camera/camera.h"
+#include "vo/core/options.h"
 #include "vo/map/frame.h"
-#include "vo/map/keypoint_noise.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo {
 
-/// Matches of keypoints that see no landmark between two frames of known pose: the nearest
-/// descriptor within `max_distance` bits among the keypoints near the epipolar line, where a point
-/// at least `min_depth` before the first camera would lie; distinct, each keypoint once, turned
+/// What a match along an epipolar line must satisfy.
+struct EpipolarMatchingOptions {
+  double min_depth = 0;           ///< Of the point in the first camera.
+  int max_distance = 65;          ///< Bits.
+  double max_ratio = 0.9;         ///< Nearest descriptor over the second nearest near the line.
+  double octave_tolerance = 1.5;  ///< See LandmarkOptions.
+  double parallel_sigmas = 3;     ///< See LandmarkOptions.
+};
+
+/// Matches keypoints that observe no landmark between two frames of known pose: the nearest
+/// descriptor among the keypoints near the epipolar line, where a point in front of both cameras
+/// would lie, at least `min_depth` in front of the first; distinct, each keypoint once, turned
 /// consistently.
 std::vector<orb::Match> MatchAlongEpipolarLines(const Frame& first, const Frame& second,
-                                                const Camera& camera, const KeypointNoise& noise,
-                                                double min_depth, int max_distance);
+                                                const MeasurementModel& model,
+                                                const EpipolarMatchingOptions& options);
 
 }  // namespace corvo

@@ -10,44 +10,39 @@
 #include "vo/mapping/epipolar_matching.h"
 #include "vo/math/chi_square.h"
 #include "vo/math/median.h"
-#include "vo/optimization/pose_optimizer.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
 
-/// One view of a point to be.
+/// A keypoint of a frame that may observe a new point.
 struct View {
   const Frame& frame;
   int keypoint;
-
-  double OctaveScale(const KeypointNoise& noise) const {
-    return noise.octave_scales[frame.keypoint(keypoint).octave];
-  }
 };
 
-bool FitsView(const Eigen::Vector3d& in_world, const View& view, const Camera& camera,
-              const KeypointNoise& noise) {
+bool FitsView(const Eigen::Vector3d& in_world, const View& view, const MeasurementModel& model) {
   const PointObservation observation{in_world, view.frame.pixel(view.keypoint),
-                                     noise.Sigma(view.frame, view.keypoint)};
-  return SquaredError(observation, view.frame.world_from_camera.Inverse(), camera) <=
+                                     model.Sigma(view.frame, view.keypoint)};
+  return SquaredError(observation, view.frame.world_from_camera.Inverse(), model.camera) <=
          kChiSquare2Dof95;
 }
 
-std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b, const Camera& camera,
-                                                const KeypointNoise& noise, double min_parallax) {
+std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
+                                                const MeasurementModel& model,
+                                                double min_parallax) {
   const PosedRay ray_a{a.frame.world_from_camera, a.frame.rays[a.keypoint]};
   const PosedRay ray_b{b.frame.world_from_camera, b.frame.rays[b.keypoint]};
-  const double coarser = std::max(a.OctaveScale(noise), b.OctaveScale(noise));
+  const double coarser =
+      std::max(model.Scale(a.frame, a.keypoint), model.Scale(b.frame, b.keypoint));
   if (RayAngle(ray_a, ray_b) < min_parallax * coarser) return std::nullopt;
   const auto in_world = Triangulate(ray_a, ray_b);
   if (!in_world || !in_world->allFinite()) return std::nullopt;
-  if (!FitsView(*in_world, a, camera, noise) || !FitsView(*in_world, b, camera, noise)) {
-    return std::nullopt;
-  }
+  if (!FitsView(*in_world, a, model) || !FitsView(*in_world, b, model)) return std::nullopt;
   return in_world;
 }
 
-/// Of the landmarks that a frame sees.
+/// Depths of the landmarks that a frame observes.
 std::vector<double> Depths(const Map& map, const Frame& frame) {
   const SE3 camera_from_world = frame.world_from_camera.Inverse();
   std::vector<double> depths;
@@ -57,25 +52,27 @@ std::vector<double> Depths(const Map& map, const Frame& frame) {
   return depths;
 }
 
-/// No new landmark is expected nearer: a third of the depth of the nearest known ones.
-double LeastDepth(std::vector<double> depths) {
+/// The depth in front of which no new landmark is expected.
+double LeastDepth(std::vector<double> depths, const LandmarkOptions& options) {
   if (depths.empty()) return 0;
-  const auto near = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 20);
+  const auto rank =
+      static_cast<std::ptrdiff_t>(options.near_quantile * static_cast<double>(depths.size()));
+  const auto near = std::min(depths.begin() + rank, depths.end() - 1);
   std::nth_element(depths.begin(), near, depths.end());
-  return *near / 3;
+  return options.min_depth_share * *near;
 }
 
-/// The most covisible keyframes that stand far enough away for their depth, the farthest first:
-/// what can be triangulated over a long baseline is not triangulated over a short one.
-std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int max_neighbors) {
-  constexpr double kMinBaselineShare = 0.01;
+/// The most covisible keyframes that are far enough away for their depth, the farthest first: what
+/// can be triangulated over a long baseline is not triangulated over a short one.
+std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe,
+                                      const LandmarkOptions& options) {
   std::vector<std::pair<double, KeyframeId>> by_distance;
-  const Eigen::Vector3d& centre = map.keyframe(keyframe).frame.world_from_camera.translation();
+  const Eigen::Vector3d& center = map.keyframe(keyframe).frame.world_from_camera.translation();
   for (const Covisible& covisible : map.FindCovisible(keyframe)) {
-    if (static_cast<int>(by_distance.size()) == max_neighbors) break;
+    if (static_cast<int>(by_distance.size()) == options.num_neighbors) break;
     const Frame& other = map.keyframe(covisible.keyframe).frame;
-    const double baseline = (other.world_from_camera.translation() - centre).norm();
-    if (baseline < kMinBaselineShare * Median(Depths(map, other))) continue;
+    const double baseline = (other.world_from_camera.translation() - center).norm();
+    if (baseline < options.min_baseline_share * Median(Depths(map, other))) continue;
     by_distance.emplace_back(-baseline, covisible.keyframe);
   }
   std::sort(by_distance.begin(), by_distance.end());
@@ -84,31 +81,38 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe, int m
   return neighbors;
 }
 
+/// Adds the point of a match between two keyframes as a landmark, triangulated again after its
+/// second keypoint was aligned with the first. Returns whether there is such a point.
+bool CreateLandmark(const Observation& first, const Observation& second, double min_parallax,
+                    Map& map) {
+  const View a{map.keyframe(first.keyframe).frame, first.keypoint};
+  const View b{map.keyframe(second.keyframe).frame, second.keypoint};
+  const auto in_world = TriangulateViews(a, b, map.model(), min_parallax);
+  if (!in_world) return false;
+  const LandmarkId id = map.AddLandmark(*in_world, {first, second});
+  map.UpdateAppearance(id);
+  if (!AlignObservation(id, second, map)) return true;
+  const auto refined = TriangulateViews(a, b, map.model(), min_parallax);
+  if (refined) map.SetPosition(id, *refined);
+  return true;
+}
+
 }  // namespace
 
-int CreateLandmarks(Map& map, KeyframeId keyframe, const Camera& camera, const KeypointNoise& noise,
-                    const KeyframeOptions& options) {
+int CreateLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
+                    Map& map) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
-  const double min_depth = LeastDepth(Depths(map, map.keyframe(keyframe).frame));
+  const EpipolarMatchingOptions matching{
+      LeastDepth(Depths(map, map.keyframe(keyframe).frame), options), max_distance,
+      options.max_ratio, options.octave_tolerance, options.parallel_sigmas};
   int num_created = 0;
-  for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options.num_neighbors)) {
-    map.UpdateRays(camera, neighbor);
-    const Frame& first = map.keyframe(keyframe).frame;
-    const Frame& second = map.keyframe(neighbor).frame;
-    for (const orb::Match& match :
-         MatchAlongEpipolarLines(first, second, camera, noise, min_depth, options.max_distance)) {
-      const auto in_world = TriangulateViews({first, match.query}, {second, match.train}, camera,
-                                             noise, min_parallax);
-      if (!in_world) continue;
-      const LandmarkId id =
-          map.AddLandmark(*in_world, {{keyframe, match.query}, {neighbor, match.train}});
-      map.UpdateAppearance(id, noise.octave_scales);
-      if (AlignObservation(id, {neighbor, match.train}, camera, noise.octave_scales, map)) {
-        const auto refined = TriangulateViews({first, match.query}, {second, match.train}, camera,
-                                              noise, min_parallax);
-        if (refined) map.SetPosition(id, *refined);
-      }
-      ++num_created;
+  for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options)) {
+    map.UpdateRays(neighbor);
+    const std::vector<orb::Match> matches = MatchAlongEpipolarLines(
+        map.keyframe(keyframe).frame, map.keyframe(neighbor).frame, map.model(), matching);
+    for (const orb::Match& match : matches) {
+      num_created +=
+          CreateLandmark({keyframe, match.query}, {neighbor, match.train}, min_parallax, map);
     }
   }
   return num_created;

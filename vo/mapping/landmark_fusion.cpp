@@ -1,52 +1,20 @@
 #include "vo/mapping/landmark_fusion.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
-#include "orb/matcher.h"
+#include "vo/map/guided_matching.h"
 #include "vo/map/landmark_alignment.h"
-#include "vo/map/landmark_projection.h"
 #include "vo/math/chi_square.h"
-#include "vo/optimization/pose_optimizer.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
 
-bool Sees(const Landmark& landmark, KeyframeId keyframe) {
-  for (const Observation& o : landmark.observations) {
-    if (o.keyframe == keyframe) return true;
-  }
-  return false;
-}
-
-/// Landmarks that a keyframe might see but does not, matched with its keypoints.
-struct Candidates {
-  std::vector<LandmarkId> landmarks;
-  std::vector<orb::Match> matches;  ///< Query: index in `landmarks`; train: keypoint.
-};
-
-Candidates MatchIntoKeyframe(const Map& map, const std::vector<LandmarkId>& landmarks,
-                             const Keyframe& keyframe, const Camera& camera,
-                             const KeypointNoise& noise, int max_distance) {
-  constexpr double kRadius = 3.0;
-  Candidates candidates;
-  std::vector<orb::Descriptor> descriptors;
-  std::vector<orb::SearchWindow> windows;
-  for (const LandmarkId id : landmarks) {
-    const Landmark* landmark = map.FindLandmark(id);
-    if (landmark == nullptr || Sees(*landmark, keyframe.id)) continue;
-    const auto view =
-        ProjectLandmark(*landmark, keyframe.frame.world_from_camera, camera, noise.octave_scales);
-    if (!view) continue;
-    candidates.landmarks.push_back(id);
-    descriptors.push_back(landmark->descriptor);
-    windows.push_back(view->Window(kRadius * noise.octave_scales[view->octave], 1, 0));
-  }
-  candidates.matches = orb::KeepUnique(orb::KeepNear(
-      orb::FindNearestInWindows(descriptors, windows, keyframe.frame.features.descriptors,
-                                keyframe.frame.keypoint_index),
-      max_distance));
-  return candidates;
+bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
+  return std::any_of(landmark.observations.begin(), landmark.observations.end(),
+                     [&](const Observation& o) { return o.keyframe == keyframe; });
 }
 
 /// Merges two landmarks into the one with more observations (the older of equals).
@@ -59,63 +27,83 @@ LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
   return merge;
 }
 
-void FuseInto(Map& map, const std::vector<LandmarkId>& landmarks, KeyframeId id,
-              const Camera& camera, const KeypointNoise& noise, int max_distance,
-              FusedLandmarks& fused) {
-  const Keyframe& keyframe = map.keyframe(id);
-  const Candidates candidates =
-      MatchIntoKeyframe(map, landmarks, keyframe, camera, noise, max_distance);
-  const SE3 camera_from_world = keyframe.frame.world_from_camera.Inverse();
-  for (const orb::Match& match : candidates.matches) {
-    LandmarkId landmark = candidates.landmarks[match.query];
-    if (map.FindLandmark(landmark) == nullptr || Sees(*map.FindLandmark(landmark), id)) continue;
-    const PointObservation observation{map.FindLandmark(landmark)->in_world,
-                                       keyframe.frame.pixel(match.train),
-                                       noise.Sigma(keyframe.frame, match.train)};
-    if (SquaredError(observation, camera_from_world, camera) > kChiSquare2Dof95) continue;
-    const LandmarkId present = keyframe.frame.landmarks[match.train];
-    if (present == kNoId) {
-      map.AddObservation(landmark, {id, match.train});
-      AlignObservation(landmark, {id, match.train}, camera, noise.octave_scales, map);
-    } else {
-      fused.merges.push_back(Merge(map, landmark, present));
-      landmark = fused.merges.back().into;
-      for (const Observation& o :
-           std::vector<Observation>(map.FindLandmark(landmark)->observations)) {
-        AlignObservation(landmark, o, camera, noise.octave_scales, map);
-      }
-    }
-    map.UpdateAppearance(landmark, noise.octave_scales);
-    ++fused.num_fused;
-  }
-}
+/// Fuses landmarks with what one keyframe after the other observes.
+class LandmarkFuser {
+ public:
+  LandmarkFuser(const LandmarkOptions& options, int max_distance, Map& map)
+      : window_{options.fusion_radius_px, options.fusion_radius_px},
+        matching_{max_distance},
+        map_(map) {}
 
-std::vector<LandmarkId> LandmarksOf(const Map& map, KeyframeId id) {
-  std::vector<LandmarkId> landmarks;
-  for (const LandmarkId landmark : map.keyframe(id).frame.landmarks) {
-    if (landmark != kNoId) landmarks.push_back(landmark);
+  void FuseInto(KeyframeId keyframe, const std::vector<LandmarkId>& landmarks) {
+    const Frame& frame = map_.keyframe(keyframe).frame;
+    const GuidedQueries queries = ProjectLandmarks(map_, SelectUnobserved(keyframe, landmarks),
+                                                   frame.world_from_camera, window_);
+    for (const orb::Match& match : MatchGuided(queries, frame, matching_)) {
+      FuseKeypoint(queries.ids[match.query], {keyframe, match.train});
+    }
   }
-  return landmarks;
-}
+
+  FusedLandmarks TakeResult() { return std::move(fused_); }
+
+ private:
+  std::vector<LandmarkId> SelectUnobserved(KeyframeId keyframe,
+                                           const std::vector<LandmarkId>& landmarks) const {
+    std::vector<LandmarkId> unobserved;
+    for (const LandmarkId id : landmarks) {
+      const Landmark* landmark = map_.FindLandmark(id);
+      if (landmark != nullptr && !IsObservedBy(*landmark, keyframe)) unobserved.push_back(id);
+    }
+    return unobserved;
+  }
+
+  bool Fits(const Landmark& landmark, const Observation& observation) const {
+    const Frame& frame = map_.keyframe(observation.keyframe).frame;
+    const PointObservation seen{landmark.in_world, frame.pixel(observation.keypoint),
+                                map_.model().Sigma(frame, observation.keypoint)};
+    return SquaredError(seen, frame.world_from_camera.Inverse(), map_.camera()) <= kChiSquare2Dof95;
+  }
+
+  /// Makes a keypoint observe a landmark, merged with the one that it observes, if they agree.
+  void FuseKeypoint(LandmarkId id, const Observation& observation) {
+    const Landmark* landmark = map_.FindLandmark(id);
+    if (landmark == nullptr || IsObservedBy(*landmark, observation.keyframe)) return;
+    if (!Fits(*landmark, observation)) return;
+    const LandmarkId present =
+        map_.keyframe(observation.keyframe).frame.landmarks[observation.keypoint];
+    if (present == kNoId) {
+      map_.AddObservation(id, observation);
+      AlignObservation(id, observation, map_);
+    } else {
+      fused_.merges.push_back(Merge(map_, id, present));
+      id = fused_.merges.back().into;
+      const std::vector<Observation> observations = map_.FindLandmark(id)->observations;
+      for (const Observation& o : observations) AlignObservation(id, o, map_);
+    }
+    map_.UpdateAppearance(id);
+    ++fused_.num_fused;
+  }
+
+  LandmarkWindow window_;
+  GuidedMatchingOptions matching_;
+  Map& map_;
+  FusedLandmarks fused_;
+};
 
 }  // namespace
 
-FusedLandmarks FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
-                             const KeypointNoise& noise, const KeyframeOptions& options) {
-  std::vector<Covisible> neighbors = map.FindCovisible(keyframe);
-  if (static_cast<int>(neighbors.size()) > options.num_neighbors) {
-    neighbors.resize(options.num_neighbors);
-  }
-  FusedLandmarks fused;
+FusedLandmarks FuseLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
+                             Map& map) {
+  const std::vector<KeyframeId> neighbors =
+      FirstKeyframes(map.FindCovisible(keyframe), options.num_neighbors);
+  LandmarkFuser fuser(options, max_distance, map);
   std::set<LandmarkId> around;
-  for (const Covisible& neighbor : neighbors) {
-    FuseInto(map, LandmarksOf(map, keyframe), neighbor.keyframe, camera, noise,
-             options.max_distance, fused);
-    for (const LandmarkId id : LandmarksOf(map, neighbor.keyframe)) around.insert(id);
+  for (const KeyframeId neighbor : neighbors) {
+    fuser.FuseInto(neighbor, map.LandmarksOf(keyframe));
+    for (const LandmarkId id : map.LandmarksOf(neighbor)) around.insert(id);
   }
-  FuseInto(map, {around.begin(), around.end()}, keyframe, camera, noise, options.max_distance,
-           fused);
-  return fused;
+  fuser.FuseInto(keyframe, {around.begin(), around.end()});
+  return fuser.TakeResult();
 }
 
 }  // namespace corvo

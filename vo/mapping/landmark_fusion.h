@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include "vo/camera/camera.h"
 #include "vo/core/options.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
 
 namespace corvo {
@@ -14,10 +12,11 @@ struct FusedLandmarks {
   std::vector<LandmarkMerge> merges;
 };
 
-/// Joins what a keyframe and its covisible keyframes know twice: each one's landmarks are projected
-/// into the other; where the nearest descriptor's keypoint sees another landmark the two are
-/// merged into the one with more observations, where it sees none it becomes an observation.
-FusedLandmarks FuseLandmarks(Map& map, KeyframeId keyframe, const Camera& camera,
-                             const KeypointNoise& noise, const KeyframeOptions& options);
+/// Fuses what a keyframe and its covisible keyframes have twice: the landmarks of each are
+/// projected into the other. Where the keypoint with the nearest descriptor observes another
+/// landmark, the two are merged into the one with more observations; where it observes none, it
+/// becomes an observation.
+FusedLandmarks FuseLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
+                             Map& map);
 
 }  // namespace corvo

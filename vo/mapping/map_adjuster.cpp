@@ -10,19 +10,17 @@
 namespace corvo {
 namespace {
 
-constexpr int kMinCalibrationKeyframes = 5;
-
 /// Kept keyframes of the newest one's segment.
-int CountKept(const Map& map) {
+int CountActive(const Map& map) {
   const int segment = map.SegmentOf(map.num_keyframes() - 1);
-  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const std::vector<KeyframeId> kept = map.ActiveKeyframes();
   return static_cast<int>(std::count_if(
       kept.begin(), kept.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
 }
 
 /// Frames between the newest keyframe and the kept one before it, in its segment; or 0.
 int NewestSpacing(const Map& map) {
-  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const std::vector<KeyframeId> kept = map.ActiveKeyframes();
   const Keyframe& newest = map.keyframe(kept.back());
   if (kept.size() < 2) return 0;
   const Keyframe& before = map.keyframe(kept[kept.size() - 2]);
@@ -31,50 +29,53 @@ int NewestSpacing(const Map& map) {
 
 /// Few where keyframes follow each other fast: what they see is lost before it is adjusted, and
 /// with it the scale.
-int FramesBesideWindow(const Map& map) { return std::clamp(NewestSpacing(map) - 1, 2, 4); }
+int WindowLatency(const Map& map, const BundleAdjusterOptions& options) {
+  return std::clamp(NewestSpacing(map) - 1, options.min_latency_frames, options.max_latency_frames);
+}
 
 }  // namespace
 
 MapAdjuster::MapAdjuster(const CameraPrior& prior, const OdometryOptions& options)
-    : prior_(prior), camera_(prior.given), options_(options) {
+    : prior_(prior), options_(options) {
   prior_.Validate();
   if (!options.calibration.enabled) prior_.free.clear();
   estimate_ = PriorEstimate(prior_);
 }
 
-void MapAdjuster::Start(const Map& map, const KeypointNoise& noise, int frame) {
+void MapAdjuster::Start(const Map& map, int frame) {
   const KeyframeId newest = map.num_keyframes() - 1;
   if (window_.result.valid() || newest == newest_) return;
   newest_ = newest;
-  if (!calibration_.result.valid() && CountKept(map) >= NextCalibration()) {
-    StartCalibration(map, noise, frame);
+  if (!calibration_.result.valid() && CountActive(map) >= NextCalibration()) {
+    StartCalibration(map, frame);
   }
-  window_.due_frame = frame + FramesBesideWindow(map);
+  window_.due_frame = frame + WindowLatency(map, options_.bundle_adjuster);
   window_.result = std::async(
       std::launch::async,
-      [camera = camera_, options = options_.bundle_adjuster](Bundle&& bundle) {
+      [camera = map.camera(), options = options_.bundle_adjuster](Bundle&& bundle) {
         AdjustBundle(camera, options, bundle);
         return std::move(bundle);
       },
-      CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster), noise));
+      CopyBundle(map, SelectWindow(map, newest, options_.bundle_adjuster)));
 }
 
-void MapAdjuster::StartLastCalibration(const Map& map, const KeypointNoise& noise, int frame) {
+void MapAdjuster::StartLastCalibration(const Map& map, int frame) {
   if (contradicts_prior_ || newest_calibrated_ == map.num_keyframes() - 1) return;
-  if (CountKept(map) >= kMinCalibrationKeyframes) StartCalibration(map, noise, frame);
+  if (CountActive(map) >= options_.calibration.min_keyframes) StartCalibration(map, frame);
 }
 
 int MapAdjuster::NextCalibration() const {
-  const int next = contradicts_prior_ ? 2 * num_calibrated_ : num_calibrated_ * 4 / 3;
-  return std::max(kMinCalibrationKeyframes, next);
+  const CalibrationOptions& options = options_.calibration;
+  const double growth = contradicts_prior_ ? options.growth_after_rejection : options.growth;
+  return std::max(options.min_keyframes, static_cast<int>(growth * num_calibrated_));
 }
 
-void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, int frame) {
-  constexpr int kMaxFramesBeside = 20;
+void MapAdjuster::StartCalibration(const Map& map, int frame) {
   if (prior_.num_free() == 0) return;
-  num_calibrated_ = CountKept(map);
+  num_calibrated_ = CountActive(map);
   newest_calibrated_ = map.num_keyframes() - 1;
-  calibration_.due_frame = frame + std::min(kMaxFramesBeside, num_calibrated_ + 4);
+  calibration_.due_frame = frame + std::min(options_.calibration.max_latency_frames,
+                                            num_calibrated_ + options_.calibration.latency_frames);
   const AdjustmentWindow window = SelectNewestKeyframes(
       map, newest_calibrated_, options_.calibration.max_keyframes, options_.bundle_adjuster);
   calibration_.result = std::async(
@@ -85,10 +86,10 @@ void MapAdjuster::StartCalibration(const Map& map, const KeypointNoise& noise, i
         result.estimate = CalibrateBundle(prior, start, options, result.bundle);
         return result;
       },
-      CopyBundle(map, window, noise));
+      CopyBundle(map, window));
 }
 
-bool MapAdjuster::Finish(Map& map, int frame) {
+bool MapAdjuster::Finish(int frame, Map& map) {
   const bool calibrates = calibration_.IsDue(frame);
   // A window is about the camera and the map before the calibration.
   const bool adjusts = window_.IsDue(frame) || (calibrates && window_.result.valid());
@@ -104,8 +105,8 @@ void MapAdjuster::FinishCalibration(Map& map) {
   if (!contradicts_prior_) WriteBack(result.bundle, map);
   estimate_ = contradicts_prior_ ? PriorEstimate(prior_) : *result.estimate;
   const Camera camera(prior_.Apply(estimate_.difference));
-  if (camera == camera_) return;
-  camera_ = camera;
+  if (camera == map.camera()) return;
+  map.SetCamera(camera);
   newest_ = kNoId;  // What is newer is to be adjusted to it.
 }
 

@@ -3,11 +3,9 @@
 #include <future>
 #include <optional>
 
-#include "vo/camera/camera.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/conventions.h"
 #include "vo/core/options.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
 #include "vo/optimization/bundle.h"
 
@@ -24,18 +22,16 @@ class MapAdjuster {
 
   /// Begins to adjust around the newest keyframe, after a frame, if that has not been begun and the
   /// result of the adjustment before has been taken.
-  void Start(const Map& map, const KeypointNoise& noise, int frame);
+  void Start(const Map& map, int frame);
 
   /// Begins an estimate of the camera after the last frame, if there are keyframes that told none.
   /// What was begun before has been taken.
-  void StartLastCalibration(const Map& map, const KeypointNoise& noise, int frame);
+  void StartLastCalibration(const Map& map, int frame);
 
-  /// Gives the map the results that are due before a frame, waiting for them. Returns whether there
-  /// were any.
-  bool Finish(Map& map, int frame);
+  /// Gives the map the results that are due before a frame, waiting for them: poses, points and the
+  /// camera. Returns whether there were any.
+  bool Finish(int frame, Map& map);
 
-  /// The camera as it is known now.
-  const Camera& camera() const { return camera_; }
   const CameraEstimate& camera_estimate() const { return estimate_; }
   const CameraPrior& camera_prior() const { return prior_; }
   /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
@@ -58,11 +54,10 @@ class MapAdjuster {
 
   /// Keyframes of a segment at which the camera is estimated next.
   int NextCalibration() const;
-  void StartCalibration(const Map& map, const KeypointNoise& noise, int frame);
+  void StartCalibration(const Map& map, int frame);
   void FinishCalibration(Map& map);
 
   CameraPrior prior_;
-  Camera camera_;  // As it is known now.
   OdometryOptions options_;
   Adjustment<Bundle> window_;
   Adjustment<Calibrated> calibration_;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "vo/core/trajectory.h"
-#include "vo/map/frame_observations.h"
 #include "vo/map/map.h"
+#include "vo/map/observation_recorder.h"
 #include "vo/odometry.h"
 #include "vo/offline/sequence_record.h"
 #include "vo/optimization/full_adjustment.h"

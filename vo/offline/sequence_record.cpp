@@ -53,7 +53,7 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const SightingsSource& 
     for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
     if (seen.keyframe == kNoId) {
       others.insert(KeyOf(seen));
-    } else if (!odometry.map().IsRetired(seen.keyframe)) {
+    } else if (!odometry.map().IsCulled(seen.keyframe)) {
       AddKeyframe(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
     }
   };

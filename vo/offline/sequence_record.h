@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "vo/map/frame_observations.h"
+#include "vo/map/observation_recorder.h"
 #include "vo/odometry.h"
 #include "vo/optimization/bundle.h"
 

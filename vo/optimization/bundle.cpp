@@ -32,8 +32,7 @@ int FindView(const std::vector<Bundle::View>& views, KeyframeId keyframe) {
   return static_cast<int>(found - views.begin());
 }
 
-void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world,
-                  const KeypointNoise& noise, Bundle& bundle) {
+void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world, Bundle& bundle) {
   const Landmark& landmark = *map.FindLandmark(id);
   const int point = static_cast<int>(bundle.points.size());
   bundle.points.push_back({id, local_from_world * landmark.in_world});
@@ -42,7 +41,7 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world,
     if (view == kNoId) continue;
     const Frame& frame = map.keyframe(observation.keyframe).frame;
     const int k = observation.keypoint;
-    bundle.sightings.push_back({view, point, k, frame.pixel(k), noise.Sigma(frame, k)});
+    bundle.sightings.push_back({view, point, k, frame.pixel(k), map.model().Sigma(frame, k)});
   }
 }
 
@@ -92,14 +91,14 @@ void TakeAlong(const Bundle& bundle, Map& map) {
   int newest = kNoId;
   std::vector<KeyframeId> moving;
   for (int view = 0; view < static_cast<int>(bundle.views.size()); ++view) {
-    if (bundle.views[view].is_held || !map.IsKept(bundle.views[view].keyframe)) continue;
+    if (bundle.views[view].is_held || !map.IsActive(bundle.views[view].keyframe)) continue;
     newest = view;
     moving.push_back(bundle.views[view].keyframe);
   }
   if (newest == kNoId) return;
   const std::vector<Sim3> moves = FindMoves(bundle, map);
   const KeyframeId last = bundle.views[newest].keyframe;
-  for (const KeyframeId id : map.KeptKeyframes()) {
+  for (const KeyframeId id : map.ActiveKeyframes()) {
     if (id <= last || map.SegmentOf(id) != map.SegmentOf(last)) continue;
     moving.push_back(id);
     map.SetPose(id, TransformPose(moves[newest], map.WorldFromKeyframe(id)));
@@ -115,7 +114,7 @@ void TakeAlong(const Bundle& bundle, Map& map) {
 
 /// Whether the map still has it.
 bool HasObservation(const Map& map, LandmarkId landmark, const Observation& observation) {
-  return map.FindLandmark(landmark) != nullptr && map.IsKept(observation.keyframe) &&
+  return map.FindLandmark(landmark) != nullptr && map.IsActive(observation.keyframe) &&
          map.keyframe(observation.keyframe).frame.landmarks[observation.keypoint] == landmark;
 }
 
@@ -134,7 +133,7 @@ std::vector<int> SightingOffsets(const Bundle& bundle) {
   return offsets;
 }
 
-Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise) {
+Bundle CopyBundle(const Map& map, const AdjustmentWindow& window) {
   Bundle bundle;
   KeyframeId oldest = window.moving.front();
   if (!window.held.empty()) oldest = std::min(oldest, window.held.front());
@@ -143,7 +142,7 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const Keypoint
   bundle.views = CopyViews(map, window, local_from_world);
   bundle.points.reserve(window.landmarks.size());
   for (const LandmarkId id : window.landmarks) {
-    CopyLandmark(map, id, local_from_world, noise, bundle);
+    CopyLandmark(map, id, local_from_world, bundle);
   }
   return bundle;
 }
@@ -161,7 +160,7 @@ void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle
 std::vector<Observation> WriteBack(const Bundle& bundle, Map& map) {
   TakeAlong(bundle, map);
   for (const Bundle::View& view : bundle.views) {
-    if (view.is_held || !map.IsKept(view.keyframe)) continue;
+    if (view.is_held || !map.IsActive(view.keyframe)) continue;
     map.SetPose(view.keyframe, bundle.world_from_local * view.Pose());
   }
   for (const Bundle::Point& point : bundle.points) {

@@ -4,8 +4,8 @@
 
 #include "vo/camera/camera.h"
 #include "vo/core/conventions.h"
-#include "vo/map/keypoint_noise.h"
 #include "vo/map/map.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo {
 
@@ -53,7 +53,7 @@ std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
 /// points.
 std::vector<int> SightingOffsets(const Bundle& bundle);
 
-Bundle CopyBundle(const Map& map, const AdjustmentWindow& window, const KeypointNoise& noise);
+Bundle CopyBundle(const Map& map, const AdjustmentWindow& window);
 
 /// Marks as outliers the sightings over a squared error, in units of sigma², and no others.
 void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle);

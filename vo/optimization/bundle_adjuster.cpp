@@ -15,11 +15,11 @@
 namespace corvo {
 namespace {
 
-ceres::Solver::Summary Solve(const Camera& camera, int max_iterations,
+ceres::Solver::Summary Solve(const Camera& camera, const BundleAdjusterOptions& options,
                              const std::vector<char>& is_selected, Bundle& bundle) {
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::HuberLoss huber(kHuberSigmas);
+  ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
     if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
@@ -29,7 +29,7 @@ ceres::Solver::Summary Solve(const Camera& camera, int max_iterations,
   }
   FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
+  ceres::Solve(SolverOptions(options.max_iterations), &problem, &summary);
   return summary;
 }
 
@@ -66,7 +66,7 @@ AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
 AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
                                        const BundleAdjusterOptions& options) {
   std::set<KeyframeId> moving;
-  const std::vector<KeyframeId> kept = map.KeptKeyframes();
+  const std::vector<KeyframeId> kept = map.ActiveKeyframes();
   for (auto id = kept.rbegin(); id != kept.rend(); ++id) {
     if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
     moving.insert(*id);
@@ -81,7 +81,7 @@ AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions&
   const Bundle before = bundle;
   MarkOutliers(camera, kProjects, bundle);
   const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
-  const ceres::Solver::Summary summary = Solve(camera, options.max_iterations, is_selected, bundle);
+  const ceres::Solver::Summary summary = Solve(camera, options, is_selected, bundle);
   if (!summary.IsSolutionUsable()) {
     bundle = before;
     return {};

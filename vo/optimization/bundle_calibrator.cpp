@@ -17,26 +17,21 @@
 namespace corvo {
 namespace {
 
-/// Of what the sigmas of keypoints say: these lie closer to their landmarks, but the errors along
-/// one track are alike.
-constexpr double kInformationFactor = 3.5;
-
 /// Fewer of each keyframe, the more there are: however many, an estimate takes about the same time.
 int PointsPerKeyframe(const Bundle& bundle, const CalibrationOptions& options) {
-  constexpr int kMaxPoints = 4000;
   const auto num_moving = std::count_if(bundle.views.begin(), bundle.views.end(),
                                         [](const Bundle::View& view) { return !view.is_held; });
-  const int share = kMaxPoints / std::max(1, static_cast<int>(num_moving));
+  const int share = options.max_points / std::max(1, static_cast<int>(num_moving));
   return std::min(options.points_per_keyframe, share);
 }
 
-bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>& is_selected,
-           Bundle& bundle, Eigen::VectorXd& difference) {
+bool Solve(const CameraPrior& prior, const CalibrationOptions& options,
+           const std::vector<char>& is_selected, Bundle& bundle, Eigen::VectorXd& difference) {
   AdjustedCamera adjusted(prior, difference);
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   problem_options.evaluation_callback = &adjusted;
-  ceres::HuberLoss huber(kHuberSigmas);
+  ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
   for (const Bundle::Sighting& sighting : bundle.sightings) {
     if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
@@ -47,7 +42,7 @@ bool Solve(const CameraPrior& prior, int max_iterations, const std::vector<char>
   problem.AddResidualBlock(MakePriorCost(prior), nullptr, difference.data());
   FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(max_iterations), &problem, &summary);
+  ceres::Solve(SolverOptions(options.max_iterations), &problem, &summary);
   return summary.IsSolutionUsable();
 }
 
@@ -65,13 +60,13 @@ Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& diff
 std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle) {
-  constexpr double kGrossError = 10 * 10;
-  const CameraPrior beside = prior.Beside(kInformationFactor);
+  const double gross_error = options.gross_error_sigmas * options.gross_error_sigmas;
+  const CameraPrior beside = prior.Beside(options.information_factor);
   const Bundle before = bundle;
   CameraEstimate estimate{start, {}};
-  MarkOutliers(Camera(prior.Apply(start)), kGrossError, bundle);
+  MarkOutliers(Camera(prior.Apply(start)), gross_error, bundle);
   const std::vector<char> is_selected = SelectPoints(bundle, PointsPerKeyframe(bundle, options));
-  if (!Solve(beside, options.max_iterations, is_selected, bundle, estimate.difference)) {
+  if (!Solve(beside, options, is_selected, bundle, estimate.difference)) {
     bundle = before;
     return std::nullopt;
   }
@@ -79,7 +74,7 @@ std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
   AdjustPoints(camera, is_selected, bundle);
   MarkOutliers(camera, kChiSquare2Dof95, bundle);
   estimate.covariance =
-      Covariance(beside, estimate.difference, is_selected, bundle) / kInformationFactor;
+      Covariance(beside, estimate.difference, is_selected, bundle) / options.information_factor;
   return estimate;
 }
 

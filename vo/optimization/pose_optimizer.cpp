@@ -1,6 +1,6 @@
 #include "vo/optimization/pose_optimizer.h"
 
-#include <limits>
+#include <optional>
 
 #include <Eigen/LU>
 
@@ -11,11 +11,6 @@
 
 namespace corvo {
 namespace {
-
-/// Huber's while it is robust, otherwise the squared error itself.
-Loss EvaluateLoss(double squared_error, bool robust) {
-  return robust ? HuberLoss(squared_error, kChiSquare2Dof95) : Loss{squared_error, 1.0};
-}
 
 /// An observation with the inverse of its residual's covariance.
 struct WeightedObservation {
@@ -36,80 +31,93 @@ WeightedObservation Weigh(const PointObservation& observation, const SE3& camera
   return {observation.in_world, observation.pixel, covariance.inverse()};
 }
 
-/// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
-void Accumulate(const WeightedObservation& observation, const SE3& camera_from_world,
-                const Camera& camera, bool robust, NormalEquations<6>& equations) {
-  const Eigen::Vector3d in_camera = camera_from_world * observation.in_world;
-  Camera::Jacobian pixel_by_point;
-  const std::optional<Eigen::Vector2d> projected = camera.Project(in_camera, &pixel_by_point);
-  if (!projected) {
-    equations.cost += EvaluateLoss(1e6, robust).value;
-    return;
+/// The least-squares problem of one pose.
+class PoseProblem {
+ public:
+  PoseProblem(const SE3& initial, const std::vector<PointObservation>& observations,
+              const Camera& camera)
+      : camera_(camera) {
+    const SE3 camera_from_world = initial.Inverse();
+    for (const PointObservation& observation : observations) {
+      observations_.push_back(Weigh(observation, camera_from_world, camera));
+    }
   }
-  const Eigen::Vector2d residual = *projected - observation.pixel;
-  Eigen::Matrix<double, 2, 6> jacobian;
-  jacobian.leftCols<3>() = -pixel_by_point;
-  jacobian.rightCols<3>() = pixel_by_point * SO3::Hat(in_camera);
-  const Loss loss = EvaluateLoss(residual.dot(observation.information * residual), robust);
-  const Eigen::Matrix<double, 6, 2> weighted =
-      loss.weight * jacobian.transpose() * observation.information;
-  equations.cost += loss.value;
-  equations.hessian += weighted * jacobian;
-  equations.gradient += weighted * residual;
-}
 
-/// Over the observations in use.
-SE3 Minimize(const SE3& pose, const std::vector<WeightedObservation>& observations,
-             const std::vector<char>& use, const Camera& camera, bool robust) {
-  constexpr int kMaxIterations = 10;
-  const auto build = [&](const SE3& world_from_camera) {
+  /// The pose of least cost over the inliers; `robust` uses Huber's loss.
+  SE3 Minimize(const SE3& world_from_camera, const std::vector<char>& is_inlier, bool robust,
+               int max_iterations) const {
+    const auto build = [&](const SE3& pose) { return Build(pose.Inverse(), is_inlier, robust); };
+    const auto plus = [](const SE3& pose, const Eigen::Matrix<double, 6, 1>& step) {
+      return pose * SE3::Exp(step);
+    };
+    return MinimizeLevenbergMarquardt<6>(world_from_camera, build, plus, max_iterations).state;
+  }
+
+ private:
+  NormalEquations<6> Build(const SE3& camera_from_world, const std::vector<char>& is_inlier,
+                           bool robust) const {
     NormalEquations<6> equations;
-    const SE3 camera_from_world = world_from_camera.Inverse();
-    for (std::size_t i = 0; i < observations.size(); ++i) {
-      if (use[i]) Accumulate(observations[i], camera_from_world, camera, robust, equations);
+    for (std::size_t i = 0; i < observations_.size(); ++i) {
+      if (is_inlier[i]) Add(observations_[i], camera_from_world, robust, equations);
     }
     return equations;
-  };
-  const auto plus = [](const SE3& at, const Eigen::Matrix<double, 6, 1>& step) {
-    return at * SE3::Exp(step);
-  };
-  return MinimizeLevenbergMarquardt<6>(pose, build, plus, kMaxIterations).state;
+  }
+
+  /// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
+  void Add(const WeightedObservation& observation, const SE3& camera_from_world, bool robust,
+           NormalEquations<6>& equations) const {
+    const Eigen::Vector3d in_camera = camera_from_world * observation.in_world;
+    Camera::Jacobian pixel_by_point;
+    const std::optional<Eigen::Vector2d> projected = camera_.Project(in_camera, &pixel_by_point);
+    if (!projected) {
+      equations.cost += Evaluate(kUnprojectableError * kUnprojectableError, robust).value;
+      return;
+    }
+    const Eigen::Vector2d residual = *projected - observation.pixel;
+    Eigen::Matrix<double, 2, 6> jacobian;
+    jacobian.leftCols<3>() = -pixel_by_point;
+    jacobian.rightCols<3>() = pixel_by_point * SO3::Hat(in_camera);
+    const Loss loss = Evaluate(residual.dot(observation.information * residual), robust);
+    const Eigen::Matrix<double, 6, 2> weighted =
+        loss.weight * jacobian.transpose() * observation.information;
+    equations.cost += loss.value;
+    equations.hessian += weighted * jacobian;
+    equations.gradient += weighted * residual;
+  }
+
+  static Loss Evaluate(double squared_error, bool robust) {
+    return robust ? HuberLoss(squared_error, kChiSquare2Dof95) : Loss{squared_error, 1.0};
+  }
+
+  const Camera& camera_;
+  std::vector<WeightedObservation> observations_;
+};
+
+/// Sets which observations agree with the estimated pose, and how many.
+void ClassifyInliers(const std::vector<PointObservation>& observations, const Camera& camera,
+                     PoseEstimate& estimate) {
+  const SE3 camera_from_world = estimate.world_from_camera.Inverse();
+  estimate.num_inliers = 0;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    estimate.is_inlier[i] =
+        SquaredError(observations[i], camera_from_world, camera) <= kChiSquare2Dof95;
+    estimate.num_inliers += estimate.is_inlier[i];
+  }
 }
 
 }  // namespace
 
-double SquaredError(const PointObservation& observation, const SE3& camera_from_world,
-                    const Camera& camera) {
-  const std::optional<Eigen::Vector2d> projected =
-      camera.Project(camera_from_world * observation.in_world);
-  if (!projected) return std::numeric_limits<double>::infinity();
-  return (*projected - observation.pixel).squaredNorm() /
-         (observation.sigma_px * observation.sigma_px);
-}
-
 PoseEstimate OptimizePose(const SE3& initial, const std::vector<PointObservation>& observations,
-                          const Camera& camera) {
-  constexpr int kRounds = 4;
-  constexpr int kRobustRounds = 2;
-  PoseEstimate estimate;
-  estimate.world_from_camera = initial;
-  estimate.is_inlier.assign(observations.size(), 1);
-  std::vector<WeightedObservation> weighted;
-  const SE3 initial_from_world = initial.Inverse();
-  for (const PointObservation& observation : observations) {
-    weighted.push_back(Weigh(observation, initial_from_world, camera));
-  }
-  for (int round = 0; round < kRounds; ++round) {
-    estimate.world_from_camera = Minimize(estimate.world_from_camera, weighted, estimate.is_inlier,
-                                          camera, round < kRobustRounds);
-    const SE3 camera_from_world = estimate.world_from_camera.Inverse();
-    estimate.num_inliers = 0;
-    for (std::size_t i = 0; i < observations.size(); ++i) {
-      estimate.is_inlier[i] =
-          SquaredError(observations[i], camera_from_world, camera) <= kChiSquare2Dof95;
-      estimate.num_inliers += estimate.is_inlier[i];
-    }
-    if (estimate.num_inliers < 6) break;
+                          const Camera& camera, const PoseOptimizerOptions& options) {
+  constexpr int kMinInliers = 6;  // With fewer a pose is not overdetermined.
+  const PoseProblem problem(initial, observations, camera);
+  PoseEstimate estimate{initial, std::vector<char>(observations.size(), 1), 0};
+  for (int round = 0; round < options.num_rounds; ++round) {
+    estimate.world_from_camera =
+        problem.Minimize(estimate.world_from_camera, estimate.is_inlier,
+                         round < options.num_robust_rounds, options.max_iterations);
+    ClassifyInliers(observations, camera, estimate);
+    if (estimate.num_inliers < kMinInliers) break;
   }
   return estimate;
 }

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "orb/matcher.h"
-#include "vo/camera/camera.h"
 #include "vo/lie/so3.h"
 #include "vo/map/frame.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo {
 
@@ -20,12 +20,17 @@ struct FrameMatchingOptions {
 std::vector<orb::Match> MatchFrames(const Frame& first, const Frame& second,
                                     const FrameMatchingOptions& options = {});
 
-/// As MatchFrames, but each keypoint is looked for only where the rotation between the views puts
-/// it: within `radius_px` times the scale of its octave, one octave up or down.
-std::vector<orb::Match> MatchRotatedFrames(const Frame& first, const Frame& second,
-                                           const SO3& second_from_first, const Camera& camera,
-                                           const std::vector<double>& octave_scales,
-                                           double radius_px,
+/// Two frames between which the camera turned, as far as is known.
+struct RotatedFrames {
+  const Frame& first;
+  const Frame& second;
+  SO3 second_from_first;
+};
+
+/// As MatchFrames, but each keypoint is searched for only where the rotation puts it: within
+/// `radius_px` pixels of its octave, one octave up or down.
+std::vector<orb::Match> MatchRotatedFrames(const RotatedFrames& frames,
+                                           const MeasurementModel& model, double radius_px,
                                            const FrameMatchingOptions& options = {});
 
 }  // namespace corvo

@@ -15,31 +15,30 @@
 namespace corvo {
 namespace {
 
-/// Two-view adjustment on a map of its own; what is left after outliers were removed.
-InitialMap AdjustTwoViews(const TwoViewResult& motion, const std::vector<orb::Match>& matches,
-                          const Frame& first, const Frame& second, const Camera& camera,
-                          const KeypointNoise& noise) {
-  Map map;
-  Frame frames[] = {first, second};
-  frames[0].world_from_camera = SE3();
-  frames[1].world_from_camera = motion.first_from_second;
-  for (Frame& frame : frames) {
-    frame.landmarks.assign(frame.landmarks.size(), kNoId);
-    map.AddKeyframe(std::move(frame), 0);
+/// A map of two views in one segment, with the points of their motion as landmarks.
+Map MakeTwoViewMap(const MeasurementModel& model, const TwoViewResult& motion,
+                   const std::vector<orb::Match>& matches, Frame first, Frame second) {
+  Map map(model);
+  first.world_from_camera = SE3();
+  second.world_from_camera = motion.first_from_second;
+  for (Frame* frame : {&first, &second}) {
+    frame->landmarks.assign(frame->landmarks.size(), kNoId);
+    map.AddKeyframe(std::move(*frame), 0);
   }
-  AdjustmentWindow window{{0, 1}, {}, {}};
   for (const TwoViewPoint& point : motion.points) {
     const orb::Match& match = matches[point.match];
-    window.landmarks.push_back(
-        map.AddLandmark(point.in_first, {{0, match.query}, {1, match.train}}));
+    const LandmarkId id = map.AddLandmark(point.in_first, {{0, match.query}, {1, match.train}});
+    AlignObservation(id, {1, match.train}, map);
   }
-  for (const LandmarkId id : window.landmarks) {
-    AlignObservation(id, map.FindLandmark(id)->observations[1], camera, noise.octave_scales, map);
-  }
-  Bundle bundle = CopyBundle(map, window, noise);
-  AdjustBundle(camera, BundleAdjusterOptions(), bundle);
-  WriteBack(bundle, map);
+  return map;
+}
 
+/// Two-view adjustment; the points that are left after outliers were removed. None where it fails.
+std::optional<InitialMap> AdjustTwoViews(const BundleAdjusterOptions& options, Map map) {
+  const AdjustmentWindow window{{0, 1}, {}, map.FindSeen({0, 1})};
+  Bundle bundle = CopyBundle(map, window);
+  if (!AdjustBundle(map.camera(), options, bundle).usable) return std::nullopt;
+  WriteBack(bundle, map);
   InitialMap initial;
   initial.first_from_second = map.WorldFromKeyframe(1);
   for (const LandmarkId id : window.landmarks) {
@@ -63,12 +62,11 @@ void NormalizeDepth(InitialMap& map) {
 
 }  // namespace
 
-Initializer::Initializer(const InitializerOptions& options, const KeypointNoise& noise,
-                         const Camera& camera)
-    : options_(options), noise_(noise), camera_(camera) {}
+Initializer::Initializer(const OdometryOptions& options, const MeasurementModel& model)
+    : options_(options.initializer), adjuster_options_(options.bundle_adjuster), model_(model) {}
 
 void Initializer::SetCamera(const Camera& camera) {
-  camera_ = camera;
+  model_.camera = camera;
   for (Frame& frame : frames_) UpdateRays(camera, frame);
 }
 
@@ -122,12 +120,13 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches, Initialization
     result.reference_from_newest = RefineRotation(first, *motion.first_from_second_rotation);
   }
   if (motion.reason != Reason::kNone) return;
-  InitialMap map = AdjustTwoViews(motion, matches, first, second, camera_, noise_);
-  if (static_cast<int>(map.points.size()) < options_.min_points) {
+  std::optional<InitialMap> map =
+      AdjustTwoViews(adjuster_options_, MakeTwoViewMap(model_, motion, matches, first, second));
+  if (!map || static_cast<int>(map->points.size()) < options_.min_points) {
     result.reason = Reason::kBadTriangulation;
     return;
   }
-  NormalizeDepth(map);
+  NormalizeDepth(*map);
   result.map = std::move(map);
 }
 
@@ -136,7 +135,7 @@ TwoViewResult Initializer::EstimateMotion(const std::vector<orb::Match>& matches
   TwoViewResult motion = EstimateTwoViewMotion(rays, options_);
   if (motion.reason != Reason::kPlanar) return motion;
   const std::vector<PlanarMotion> kept =
-      planes_.Keep(frames_[reference_].index, motion.planar_motions);
+      planes_.Keep(frames_[reference_].index, motion.planar_motions, options_.max_plane_change_deg);
   return kept.size() == 1 ? TriangulatePlanarMotion(rays, kept.front(), options_) : motion;
 }
 
@@ -153,20 +152,20 @@ void Initializer::ContinueRotation(InitializationResult& result) const {
 }
 
 SO3 Initializer::RefineRotation(const Frame& reference, const SO3& reference_from_newest) const {
-  constexpr double kRadiusPx = 10;
-  constexpr std::size_t kMinMatches = 10;
-  const SO3 newest_from_reference = reference_from_newest.Inverse();
-  const std::vector<orb::Match> keypoints = MatchRotatedFrames(
-      reference, frames_.back(), newest_from_reference, camera_, noise_.octave_scales, kRadiusPx);
+  const RotatedFrames views{reference, frames_.back(), reference_from_newest.Inverse()};
+  const std::vector<orb::Match> keypoints =
+      MatchRotatedFrames(views, model_, options_.rotation_search_radius_px);
   std::vector<RayMatch> matches = ToRayMatches(reference, keypoints);
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const auto aligned = AlignRotatedMatch(reference, frames_.back(), keypoints[i],
-                                           newest_from_reference, camera_, noise_.octave_scales);
+    const auto aligned =
+        AlignRotatedMatch(views.first, views.second, keypoints[i], views.second_from_first, model_);
     if (!aligned) continue;
     matches[i].second = *aligned;
-    matches[i].sigma *= noise_.aligned_sigma_px / noise_.sigma_px;
+    matches[i].sigma *= model_.options.aligned_sigma_px / model_.options.keypoint_sigma_px;
   }
-  if (matches.size() < kMinMatches) return reference_from_newest;
+  if (static_cast<int>(matches.size()) < options_.min_refinement_matches) {
+    return reference_from_newest;
+  }
   return corvo::RefineRotation(matches, EstimateRotation(matches)).Inverse();
 }
 
@@ -203,10 +202,11 @@ std::vector<RayMatch> Initializer::ToRayMatches(const Frame& first,
   std::vector<RayMatch> rays;
   for (const orb::Match& match : matches) {
     const double sigma_px =
-        std::max(noise_.Sigma(first, match.query), noise_.Sigma(second, match.train));
+        std::max(model_.Sigma(first, match.query), model_.Sigma(second, match.train));
     const Eigen::Vector2d& first_ray = first.rays[match.query];
     const Eigen::Vector2d& second_ray = second.rays[match.train];
-    const double focal = std::min(camera_.FocalAt(first_ray), camera_.FocalAt(second_ray));
+    const double focal =
+        std::min(model_.camera.FocalAt(first_ray), model_.camera.FocalAt(second_ray));
     rays.push_back({first_ray, second_ray, sigma_px / focal});
   }
   return rays;

@@ -8,29 +8,16 @@
 #include <Eigen/Core>
 
 #include "orb/matcher.h"
-#include "vo/camera/camera.h"
 #include "vo/core/frame_result.h"
 #include "vo/core/options.h"
 #include "vo/geometry/planar_motion.h"
 #include "vo/geometry/two_view.h"
 #include "vo/lie/se3.h"
 #include "vo/map/frame.h"
-#include "vo/map/keypoint_noise.h"
+#include "vo/map/initial_map.h"
+#include "vo/map/measurement_model.h"
 
 namespace corvo {
-
-/// A landmark of the first map.
-struct InitialPoint {
-  int first_keypoint = kNoId;
-  int second_keypoint = kNoId;
-  Eigen::Vector3d in_first;
-};
-
-/// Two views and the points between them. The median depth in the first view is 1.
-struct InitialMap {
-  SE3 first_from_second;
-  std::vector<InitialPoint> points;
-};
 
 /// What became of a frame given to the Initializer.
 struct InitializationResult {
@@ -49,7 +36,7 @@ struct InitializationResult {
 /// Collects frames until the newest and a reference frame make a map.
 class Initializer {
  public:
-  Initializer(const InitializerOptions& options, const KeypointNoise& noise, const Camera& camera);
+  Initializer(const OdometryOptions& options, const MeasurementModel& model);
 
   /// Sees by another camera from now on, in the frames that wait too.
   void SetCamera(const Camera& camera);
@@ -85,8 +72,8 @@ class Initializer {
                                      const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
-  KeypointNoise noise_;
-  Camera camera_;
+  BundleAdjusterOptions adjuster_options_;
+  MeasurementModel model_;
   std::deque<Frame> frames_;
   PlaneHypotheses planes_;
   std::deque<bool> has_rotation_;  // Of each frame, whether its rotation is known.

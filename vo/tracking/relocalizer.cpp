@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "orb/matcher.h"
@@ -11,7 +12,7 @@ namespace {
 
 /// The newest kept keyframes of a segment, newest first.
 std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
-  std::vector<KeyframeId> keyframes = map.KeptKeyframes();
+  std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
   std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
   std::reverse(keyframes.begin(), keyframes.end());
   if (static_cast<int>(keyframes.size()) > max_keyframes) keyframes.resize(max_keyframes);
@@ -35,7 +36,7 @@ std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId
 /// Of `keyframes`, those that see the most of `landmarks`, most first.
 std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<KeyframeId>& keyframes,
                                          const std::vector<LandmarkId>& landmarks,
-                                         const RelocalizerOptions& options) {
+                                         int max_candidates) {
   std::map<KeyframeId, int> votes;
   for (const LandmarkId id : landmarks) {
     for (const Observation& observation : map.FindLandmark(id)->observations) {
@@ -45,30 +46,26 @@ std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<Keyfr
   std::vector<KeyframeId> candidates = keyframes;
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](KeyframeId a, KeyframeId b) { return votes[a] > votes[b]; });
-  if (static_cast<int>(candidates.size()) > options.max_candidates) {
-    candidates.resize(options.max_candidates);
-  }
+  if (static_cast<int>(candidates.size()) > max_candidates) candidates.resize(max_candidates);
   return candidates;
 }
 
 }  // namespace
 
-TrackingResult Relocalize(Map& map, int segment, const Camera& camera, const KeypointNoise& noise,
-                          const TrackerOptions& tracker, const RelocalizerOptions& options,
-                          Frame& frame) {
-  const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options.max_keyframes);
+Relocalizer::Relocalizer(const OdometryOptions& options)
+    : options_(options.relocalizer), matching_(options.matching), tracker_(options) {}
+
+TrackingResult Relocalizer::Relocalize(int segment, Map& map, Frame& frame) const {
+  const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options_.max_keyframes);
   const std::vector<LandmarkId> similar =
-      FindSimilar(map, map.FindSeen(keyframes), tracker.max_distance, frame);
+      FindSimilar(map, map.FindSeen(keyframes), matching_.max_tracking_distance, frame);
   TrackingResult best;
   best.reason = Reason::kTooFewMatches;
-  for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options)) {
-    map.UpdateRays(camera, id);
+  for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options_.max_candidates)) {
+    map.UpdateRays(id);
     const Frame& keyframe = map.keyframe(id).frame;
-    TrackingResult tracking =
-        TrackFrame(map, keyframe, keyframe.world_from_camera, camera, noise, tracker, frame);
-    if (tracking.reason == Reason::kNone && tracking.num_inliers >= options.min_inliers) {
-      return tracking;
-    }
+    TrackingResult tracking = tracker_.Track(map, keyframe, keyframe.world_from_camera, frame);
+    if (tracking.is_tracked() && tracking.num_inliers >= options_.min_inliers) return tracking;
     if (tracking.num_inliers > best.num_inliers) {
       best = std::move(tracking);
       best.reason = Reason::kTooFewInliers;

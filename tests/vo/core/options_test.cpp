@@ -44,7 +44,12 @@ TEST(OptionsTest, DefaultsAreValid) { EXPECT_NO_THROW(OdometryOptions().Validate
 TEST(OptionsTest, EveryNumberOutOfRangeIsNamedWithItsSection) {
   OdometryOptions options;
   OdometryOptions::VisitSections(options, [&](const char* name, auto& fields) {
-    std::decay_t<decltype(fields)>::Visit(fields, RangeBreaker{options, name});
+    using Section = std::decay_t<decltype(fields)>;
+    const RangeBreaker breaker{options, name};
+    Section::Visit(fields, breaker);
+    if constexpr (requires { Section::VisitAdvanced(fields, breaker); }) {
+      Section::VisitAdvanced(fields, breaker);
+    }
   });
   EXPECT_NO_THROW(options.Validate());
 }

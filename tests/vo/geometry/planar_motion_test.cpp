@@ -88,6 +88,8 @@ TEST(PlanarMotionTest, ARotationShowsNoPlane) {
   EXPECT_TRUE(Decompose(HomographyOf(SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0}), wall)).empty());
 }
 
+constexpr double kMaxAngleDeg = 15;
+
 TEST(PlaneHypothesesTest, TheTwinIsRecognisedWhenTheMotionChangesDirection) {
   const Plane plane{Eigen::Vector3d(0.3, 0, 1).normalized(), 3};
   const SE3 first_step(SO3::Exp({0, 0.05, 0}), {0.1, 0, 0.6});
@@ -95,10 +97,10 @@ TEST(PlaneHypothesesTest, TheTwinIsRecognisedWhenTheMotionChangesDirection) {
   const std::vector<PlanarMotion> first = Decompose(HomographyOf(first_step, plane));
   ASSERT_EQ(first.size(), 2u);
   PlaneHypotheses planes;
-  EXPECT_TRUE(planes.Keep(0, first).empty());
-  EXPECT_EQ(planes.Keep(0, first).size(), 2u);  // Nothing new: still ambiguous.
+  EXPECT_TRUE(planes.Keep(0, first, kMaxAngleDeg).empty());
+  EXPECT_EQ(planes.Keep(0, first, kMaxAngleDeg).size(), 2u);  // Nothing new: still ambiguous.
   const std::vector<PlanarMotion> kept =
-      planes.Keep(0, Decompose(HomographyOf(second_step, plane)));
+      planes.Keep(0, Decompose(HomographyOf(second_step, plane)), kMaxAngleDeg);
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_TRUE(HasTruth(kept, second_step, plane));
 }
@@ -107,9 +109,9 @@ TEST(PlaneHypothesesTest, ANewReferenceStartsAgain) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   const std::vector<PlanarMotion> motions = Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall));
   PlaneHypotheses planes;
-  planes.Keep(0, motions);
-  EXPECT_TRUE(planes.Keep(1, motions).empty());
-  EXPECT_EQ(planes.Keep(1, motions).size(), 1u);
+  planes.Keep(0, motions, kMaxAngleDeg);
+  EXPECT_TRUE(planes.Keep(1, motions, kMaxAngleDeg).empty());
+  EXPECT_EQ(planes.Keep(1, motions, kMaxAngleDeg).size(), 1u);
 }
 
 }  // namespace

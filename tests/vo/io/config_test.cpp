@@ -92,6 +92,14 @@ TEST_F(OptionsFileTest, UnknownKeysAreNamedWithTheNearestKnown) {
               ThrowsError("a.yaml:2: ", "unknown key extracter", "is extractor"));
 }
 
+TEST_F(OptionsFileTest, KeysThatMovedAreAnsweredByTheirNewNames) {
+  EXPECT_THAT([&] { Read("tracker:\n  max_distance: 80\n"); },
+              ThrowsError("a.yaml:2: the key tracker.max_distance is now "
+                          "matching.max_tracking_distance"));
+  EXPECT_THAT([&] { Read("keyframes:\n  min_found_share: 0.2\n"); },
+              ThrowsError("is now CullingOptions::min_found_share in C++"));
+}
+
 TEST_F(OptionsFileTest, KeysGivenTwiceAreErrors) {
   EXPECT_THAT([&] { Read("extractor:\n  num_levels: 8\n  num_levels: 8\n"); },
               ThrowsError("a.yaml:3: ", "extractor.num_levels is given twice"));

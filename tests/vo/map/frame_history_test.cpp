@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/matchers.h"
+#include "tests/support/point_scene.h"
 
 namespace corvo {
 namespace {
@@ -37,8 +38,8 @@ class FrameRecordsTest : public ::testing::Test {
 
   const SO3 turn_ = SO3::Exp({0.1, -0.2, 0.05});
   const SE3 pose_{SO3::Exp({0, 0.4, 0}), {1, 2, 3}};
-  Map map_;
-  FrameRecords records_;
+  Map map_{test::MakeModel()};
+  FrameHistory records_;
 };
 
 TEST_F(FrameRecordsTest, NothingIsKnownOfANewFrame) {
@@ -110,7 +111,7 @@ TEST_F(FrameRecordsTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
   records_.SetPose(3, 0, Ahead(3), map_);
   AddKeyframe(4, 0, Ahead(4));
   map_.SetPose(1, Ahead(2.2));
-  map_.RetireKeyframe(1, 0);
+  map_.CullKeyframe(1, 0);
   records_.RemoveKeyframe(1, map_);
   ExpectPose(1, Ahead(1.1));
   ExpectPose(2, Ahead(2.2));

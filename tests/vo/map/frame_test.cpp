@@ -56,17 +56,18 @@ TEST(FrameTest, RaysBecomeThoseOfAnotherCamera) {
   EXPECT_EQ(frame.rays[1], *camera.Undistort({419.5, 139.5}));
 }
 
-TEST(KeypointNoiseTest, GrowsWithTheOctaveAndShrinksWithAlignment) {
-  const KeypointNoise noise{0.5, 0.25, {1.0, 1.2, 1.44}};
+TEST(MeasurementModelTest, SigmaGrowsWithTheOctaveAndShrinksWithAlignment) {
+  MeasurementModel model = test::MakeModel(0.5);
+  model.options.aligned_sigma_px = 0.25;
   orb::Features features;
   features.keypoints.resize(2);
   features.descriptors.resize(2);
   features.keypoints[1].octave = 2;
   Frame frame = MakeFrame(0, 0, features, test::PinholeCamera());
-  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 0), 0.5);
-  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 1), 0.72);
+  EXPECT_DOUBLE_EQ(model.Sigma(frame, 0), 0.5);
+  EXPECT_DOUBLE_EQ(model.Sigma(frame, 1), 0.72);
   frame.is_aligned[1] = 1;
-  EXPECT_DOUBLE_EQ(noise.Sigma(frame, 1), 0.36);
+  EXPECT_DOUBLE_EQ(model.Sigma(frame, 1), 0.36);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
   const orb::Extractor extractor;
   const std::vector<double>& scales = extractor.octave_scales();
   const SE3 second_pose(SO3::Exp({0.01, -0.03, 0.06}), {0.15, -0.05, 0.1});
-  Map map;
+  Map map(test::MakeModel());
   map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
   map.AddKeyframe(Photograph(extractor, camera, second_pose), 0);
   const Frame& first = map.keyframe(0).frame;
@@ -81,7 +81,7 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
     ++num_seen;
     const LandmarkId id = map.AddLandmark(point, {{0, k}, {1, seen}});
     const double before = (second.pixel(seen) - expected).norm() / scales[octave];
-    if (!AlignObservation(id, {1, seen}, camera, scales, map)) continue;
+    if (!AlignObservation(id, {1, seen}, map)) continue;
     ++num_aligned;
     squared_before += before * before;
     squared_after +=
@@ -97,11 +97,11 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
 TEST(LandmarkAlignmentTest, TheReferenceStays) {
   const Camera camera = test::PinholeCamera();
   const orb::Extractor extractor;
-  Map map;
+  Map map(test::MakeModel());
   map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
   map.AddKeyframe(Photograph(extractor, camera, SE3(SO3(), {0.1, 0, 0})), 0);
   const LandmarkId id = map.AddLandmark(OnWall(map.keyframe(0).frame, 5), {{0, 5}, {1, 5}});
-  EXPECT_FALSE(AlignObservation(id, {0, 5}, camera, extractor.octave_scales(), map));
+  EXPECT_FALSE(AlignObservation(id, {0, 5}, map));
   EXPECT_EQ(map.keyframe(0).frame.pixel(5), map.keyframe(0).frame.detected_pixel(5));
 }
 
@@ -111,11 +111,10 @@ TEST(LandmarkAlignmentTest, WithoutPatchesNothingMoves) {
   const std::vector<test::SceneView> views = {
       test::ObserveScene(scene, test::PinholeCamera(), SE3(), 0, random),
       test::ObserveScene(scene, test::PinholeCamera(), SE3(SO3(), {0.2, 0, 0}), 0, random)};
-  const KeypointNoise noise = test::MakeNoise();
-  const Map map = test::MakeMap(scene, views, noise);
+  const Map map = test::MakeMap(scene, views);
   Frame frame = map.keyframe(1).frame;
   const std::vector<Eigen::Vector2d> pixels = frame.pixels;
-  AlignKeypoints(map, test::PinholeCamera(), noise.octave_scales, frame);
+  AlignKeypoints(map, frame);
   EXPECT_EQ(frame.pixels, pixels);
 }
 

@@ -21,7 +21,7 @@ Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
   test::Random random(1);
   scene.in_world = {point};
   scene.descriptors = {test::RandomDescriptor(random)};
-  Map map;
+  Map map(test::MakeModel(kSigmaPx));
   std::vector<Observation> observations;
   for (const Eigen::Vector3d& centre : centres) {
     const SE3 pose(SO3(), centre);
@@ -29,7 +29,7 @@ Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
         {map.AddKeyframe(test::ObserveScene(scene, camera, pose, 0, random).frame, 0), 0});
   }
   const LandmarkId id = map.AddLandmark(point, observations);
-  return LandmarkCovariance(map, *map.FindLandmark(id), camera, test::MakeNoise(kSigmaPx));
+  return LandmarkCovariance(map, *map.FindLandmark(id));
 }
 
 TEST(LandmarkCovarianceTest, ASightingTellsWhatLiesAcrossItsRay) {

@@ -18,8 +18,7 @@ Landmark MakeLandmark() {
 }
 
 std::optional<LandmarkView> ViewFrom(const SE3& world_from_camera) {
-  return ProjectLandmark(MakeLandmark(), world_from_camera, test::PinholeCamera(),
-                         test::MakeNoise(1, 5).octave_scales);
+  return ProjectLandmark(MakeLandmark(), world_from_camera, test::MakeModel(1, 5));
 }
 
 SE3 At(double x, double y, double z) { return SE3(SO3(), Eigen::Vector3d(x, y, z)); }

@@ -34,7 +34,7 @@ Frame MakeBareFrame(int num_keypoints, const SE3& world_from_camera = SE3()) {
 
 /// Links agree both ways.
 void ExpectConsistent(const Map& map) {
-  for (const KeyframeId id : map.KeptKeyframes()) {
+  for (const KeyframeId id : map.ActiveKeyframes()) {
     const Frame& frame = map.keyframe(id).frame;
     for (int k = 0; k < static_cast<int>(frame.landmarks.size()); ++k) {
       if (frame.landmarks[k] == kNoId) continue;
@@ -62,7 +62,7 @@ class MapTest : public ::testing::Test {
   }
   ~MapTest() override { ExpectConsistent(map_); }
 
-  Map map_;
+  Map map_{test::MakeModel()};
 };
 
 TEST_F(MapTest, LandmarkAndKeypointsNameEachOther) {
@@ -113,11 +113,11 @@ TEST_F(MapTest, MergedLandmarkKeepsBothSetsAndResolves) {
 TEST_F(MapTest, RetiredKeyframesMoveWithTheirAnchors) {
   map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
   const SE3 relative = map_.WorldFromKeyframe(2).Inverse() * map_.WorldFromKeyframe(1);
-  map_.RetireKeyframe(1, 2);
-  map_.RetireKeyframe(2, 3);
-  EXPECT_FALSE(map_.IsKept(1));
-  EXPECT_TRUE(map_.IsRetired(1));
-  EXPECT_FALSE(map_.IsRetired(3));
+  map_.CullKeyframe(1, 2);
+  map_.CullKeyframe(2, 3);
+  EXPECT_FALSE(map_.IsActive(1));
+  EXPECT_TRUE(map_.IsCulled(1));
+  EXPECT_FALSE(map_.IsCulled(3));
   const SE3 moved(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7));
   const SE3 second_from_third = map_.WorldFromKeyframe(3).Inverse() * map_.WorldFromKeyframe(2);
   map_.SetPose(3, moved);
@@ -130,12 +130,12 @@ TEST_F(MapTest, ArchivedKeyframesStayWhereTheyWere) {
   const SE3 pose = map_.WorldFromKeyframe(1);
   const SE3 retired = map_.WorldFromKeyframe(0);
   map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
-  map_.RetireKeyframe(0, 1);
-  map_.ArchiveKeyframe(1);
-  EXPECT_FALSE(map_.IsRetired(1));
+  map_.CullKeyframe(0, 1);
+  map_.MarginalizeKeyframe(1);
+  EXPECT_FALSE(map_.IsCulled(1));
   map_.SetPose(2, SE3(SO3::Exp({0.1, 0.2, 0.3}), Eigen::Vector3d(5, 6, 7)));
   EXPECT_EQ(map_.num_keyframes(), 4);
-  EXPECT_THAT(map_.KeptKeyframes(), ElementsAre(2, 3));
+  EXPECT_THAT(map_.ActiveKeyframes(), ElementsAre(2, 3));
   EXPECT_EQ(map_.SegmentOf(1), 0);
   EXPECT_EQ(map_.WorldFromKeyframe(1), pose);
   EXPECT_THAT(map_.WorldFromKeyframe(0), test::IsPoseNear(retired, 1e-9, 1e-9));
@@ -146,7 +146,7 @@ TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
   const LandmarkId both = map_.AddLandmark({1, 2, 3}, {{0, 3}, {1, 3}});
   const LandmarkId longer = map_.AddLandmark({4, 5, 6}, {{0, 1}, {1, 1}, {2, 1}});
   const LandmarkId elsewhere = map_.AddLandmark({7, 8, 9}, {{2, 2}, {3, 2}});
-  const std::vector<FinishedLandmark> finished = map_.ArchiveKeyframe(0);
+  const std::vector<FinishedLandmark> finished = map_.MarginalizeKeyframe(0);
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].id, both);
   EXPECT_EQ(finished[0].segment, 0);
@@ -179,8 +179,8 @@ TEST_F(MapTest, WhatLeavesGivesItsMemoryBack) {
   const KeyframeId second = map_.AddKeyframe(MakeBareFrame(200), 0);
   for (int k = 0; k < 200; ++k) map_.AddLandmark({1, 2, 3}, {{first, k}, {second, k}});
   EXPECT_GT(map_.working_set_bytes(), before + 2 * 200 * sizeof(orb::Descriptor));
-  EXPECT_EQ(map_.ArchiveKeyframe(first).size(), 200u);
-  map_.ArchiveKeyframe(second);
+  EXPECT_EQ(map_.MarginalizeKeyframe(first).size(), 200u);
+  map_.MarginalizeKeyframe(second);
   constexpr std::size_t kBuckets = 4096;  // A hash map's table does not shrink.
   EXPECT_LT(map_.working_set_bytes(), before + kBuckets);
   EXPECT_LE(map_.place_bytes(), 100u * static_cast<std::size_t>(map_.num_keyframes()));
@@ -202,7 +202,7 @@ TEST_F(MapTest, CovisibleKeyframesComeMostSharedThenNewestFirst) {
 TEST_F(MapTest, AppearanceIsTheMedoidAndTheMeanDirection) {
   // Distances, sorted: of descriptor 0: 0 2 3 4, of 2: 0 1 2 2, of 3: 0 1 1 3, of 4: 0 1 2 4.
   const LandmarkId id = map_.AddLandmark({1.5, 0, 10}, {{0, 0}, {1, 2}, {2, 3}, {3, 4}});
-  map_.UpdateAppearance(id, {1.0});
+  map_.UpdateAppearance(id);
   const Landmark& landmark = *map_.FindLandmark(id);
   EXPECT_EQ(landmark.descriptor, map_.keyframe(1).frame.descriptor(2));
   EXPECT_THAT(landmark.view_direction, test::IsMatrixNear(Eigen::Vector3d(0, 0, 1), 1e-12));

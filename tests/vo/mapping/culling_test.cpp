@@ -14,8 +14,8 @@ using CullingTest = test::MappingTest;
 TEST_F(CullingTest, LandmarksThatAreNotFoundAreCulled) {
   MakeViews(3, 200);
   std::vector<LandmarkId> recent = {0, 1};
-  for (int i = 0; i < 40; ++i) map_.CountVisible(0);
-  CullLandmarks(map_, options_, recent);
+  for (int i = 0; i < 40; ++i) map_.CountSeen({0}, Frame());
+  CullLandmarks(CullingOptions(), recent, map_);
   EXPECT_EQ(map_.FindLandmark(0), nullptr);
   EXPECT_NE(map_.FindLandmark(1), nullptr);
 }
@@ -25,15 +25,15 @@ TEST_F(CullingTest, LandmarksMustBeSeenByAThirdKeyframeInTime) {
   const LandmarkId twice = map_.AddLandmark({0, 0, 5}, {{0, views_[0].frame.num_keypoints() - 1},
                                                         {1, views_[1].frame.num_keypoints() - 1}});
   std::vector<LandmarkId> recent = {0, twice};
-  CullLandmarks(map_, options_, recent);
+  CullLandmarks(CullingOptions(), recent, map_);
   EXPECT_THAT(recent, ::testing::ElementsAre(0, twice));
   map_.AddKeyframe(Frame(), 0);
   map_.AddKeyframe(Frame(), 0);
-  CullLandmarks(map_, options_, recent);
+  CullLandmarks(CullingOptions(), recent, map_);
   EXPECT_EQ(map_.FindLandmark(twice), nullptr);
   EXPECT_THAT(recent, ::testing::ElementsAre(0));
   map_.AddKeyframe(Frame(), 0);
-  CullLandmarks(map_, options_, recent);
+  CullLandmarks(CullingOptions(), recent, map_);
   EXPECT_TRUE(recent.empty());
   EXPECT_NE(map_.FindLandmark(0), nullptr);
 }
@@ -42,18 +42,18 @@ TEST_F(CullingTest, RedundantKeyframesAreRetiredButNeverTheFirstOrTheNewest) {
   for (int i = 0; i < 6; ++i) {
     views_.push_back(test::ObserveScene(scene_, camera_, SE3(), 0.2, random_));
   }
-  map_ = test::MakeMap(scene_, views_, noise_);
-  CullKeyframes(map_, 5, options_);
-  EXPECT_TRUE(map_.IsKept(0));
-  EXPECT_TRUE(map_.IsKept(5));
-  EXPECT_FALSE(map_.IsKept(1));
-  EXPECT_GE(map_.KeptKeyframes().size(), 3u);  // Three others must see what is redundant.
+  map_ = test::MakeMap(scene_, views_);
+  CullKeyframes(5, CullingOptions(), map_);
+  EXPECT_TRUE(map_.IsActive(0));
+  EXPECT_TRUE(map_.IsActive(5));
+  EXPECT_FALSE(map_.IsActive(1));
+  EXPECT_GE(map_.ActiveKeyframes().size(), 3u);  // Three others must see what is redundant.
 }
 
 TEST_F(CullingTest, NeededKeyframesStay) {
   MakeViews(3, 400);
-  CullKeyframes(map_, 2, options_);
-  EXPECT_EQ(map_.KeptKeyframes().size(), 3u);
+  CullKeyframes(2, CullingOptions(), map_);
+  EXPECT_EQ(map_.ActiveKeyframes().size(), 3u);
 }
 
 TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
@@ -62,15 +62,15 @@ TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
   const LandmarkId old = map_.AddLandmark({0, 0, 5}, {{0, 0}, {2, 0}});
   const LandmarkId shared = map_.AddLandmark({0, 0, 5}, {{1, 1}, {4, 1}});
   const LandmarkId recent = map_.AddLandmark({0, 0, 5}, {{3, 2}, {4, 2}});
-  EXPECT_TRUE(ArchiveKeyframes(map_, 5).empty());
-  EXPECT_EQ(map_.KeptKeyframes().size(), 5u);
-  const std::vector<FinishedLandmark> finished = ArchiveKeyframes(map_, 2);
-  EXPECT_THAT(map_.KeptKeyframes(), ::testing::ElementsAre(1, 3, 4));
+  EXPECT_TRUE(MarginalizeKeyframes(5, {}, map_).empty());
+  EXPECT_EQ(map_.ActiveKeyframes().size(), 5u);
+  const std::vector<FinishedLandmark> finished = MarginalizeKeyframes(2, {}, map_);
+  EXPECT_THAT(map_.ActiveKeyframes(), ::testing::ElementsAre(1, 3, 4));
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].id, old);
   EXPECT_NE(map_.FindLandmark(shared), nullptr);
   EXPECT_NE(map_.FindLandmark(recent), nullptr);
-  EXPECT_TRUE(ArchiveKeyframes(map_, 2).empty());
+  EXPECT_TRUE(MarginalizeKeyframes(2, {}, map_).empty());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using EpipolarMatchingTest = test::MappingTest;
 TEST_F(EpipolarMatchingTest, EpipolarMatchesAreFreeAndRight) {
   MakeViews(2, 100);
   const auto matches = MatchAlongEpipolarLines(map_.keyframe(0).frame, map_.keyframe(1).frame,
-                                               camera_, noise_, 1.0, options_.max_distance);
+                                               map_.model(), {.min_depth = 1});
   EXPECT_GT(matches.size(), 100u);
   for (const orb::Match& match : matches) {
     EXPECT_EQ(views_[0].points[match.query], views_[1].points[match.train]);
@@ -27,7 +27,7 @@ TEST_F(EpipolarMatchingTest, EpipolarLinesRuleOutTwins) {
   scene_.descriptors.push_back(scene_.descriptors[0]);
   MakeViews(2, 0);
   const auto matches = MatchAlongEpipolarLines(map_.keyframe(0).frame, map_.keyframe(1).frame,
-                                               camera_, noise_, 1.0, options_.max_distance);
+                                               map_.model(), {.min_depth = 1});
   ASSERT_EQ(matches.size(), 2u);
   for (const orb::Match& match : matches) {
     EXPECT_EQ(views_[0].points[match.query], views_[1].points[match.train]);

@@ -12,7 +12,7 @@ using LandmarkCreationTest = test::MappingTest;
 TEST_F(LandmarkCreationTest, NewLandmarksLieWhereThePointsAre) {
   MakeViews(3, 100);
   const LandmarkId first_new = map_.num_landmark_ids();
-  const int num_created = CreateLandmarks(map_, 2, camera_, noise_, options_);
+  const int num_created = CreateLandmarks(2, options_, kMaxDistance, map_);
   EXPECT_GT(num_created, 100);
   EXPECT_EQ(num_created, map_.num_landmark_ids() - first_new);
   for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
@@ -28,13 +28,13 @@ TEST_F(LandmarkCreationTest, NothingIsTriangulatedOverATinyBaseline) {
   step_ = 0.01;
   options_.min_parallax_deg = 0;
   MakeViews(3, 100);
-  EXPECT_EQ(CreateLandmarks(map_, 2, camera_, noise_, options_), 0);
+  EXPECT_EQ(CreateLandmarks(2, options_, kMaxDistance, map_), 0);
 }
 
 TEST_F(LandmarkCreationTest, FarPointsWithoutParallaxAreLeftOut) {
   scene_ = test::MakeBoxScene(400, 200, 300, random_);
   MakeViews(3, 100);
-  EXPECT_EQ(CreateLandmarks(map_, 2, camera_, noise_, options_), 0);
+  EXPECT_EQ(CreateLandmarks(2, options_, kMaxDistance, map_), 0);
 }
 
 TEST_F(LandmarkCreationTest, AllRaysAreThoseOfTheCameraAsItIsKnownNow) {
@@ -42,12 +42,13 @@ TEST_F(LandmarkCreationTest, AllRaysAreThoseOfTheCameraAsItIsKnownNow) {
   CameraParameters parameters = camera_.parameters();
   parameters.k1 = 0.02;
   const Camera camera(parameters);
+  map_.SetCamera(camera);
   Map updated = map_;
-  for (KeyframeId id = 0; id < 3; ++id) updated.UpdateRays(camera, id);
-  map_.UpdateRays(camera, 2);
+  for (KeyframeId id = 0; id < 3; ++id) updated.UpdateRays(id);
+  map_.UpdateRays(2);
   const LandmarkId first_new = map_.num_landmark_ids();
-  ASSERT_GT(CreateLandmarks(updated, 2, camera, noise_, options_), 100);
-  CreateLandmarks(map_, 2, camera, noise_, options_);
+  ASSERT_GT(CreateLandmarks(2, options_, kMaxDistance, updated), 100);
+  CreateLandmarks(2, options_, kMaxDistance, map_);
   ASSERT_EQ(map_.num_landmark_ids(), updated.num_landmark_ids());
   for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
     EXPECT_EQ(map_.FindLandmark(id)->in_world, updated.FindLandmark(id)->in_world);

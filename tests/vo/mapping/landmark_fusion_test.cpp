@@ -21,11 +21,11 @@ TEST_F(LandmarkFusionTest, FusionJoinsWhatIsKnownTwice) {
     if (all.size() != 4) continue;
     ++num_twice;
     for (const auto& half : {std::vector{all[0], all[1]}, std::vector{all[2], all[3]}}) {
-      map_.UpdateAppearance(map_.AddLandmark(scene_.in_world[point], half), noise_.octave_scales);
+      map_.UpdateAppearance(map_.AddLandmark(scene_.in_world[point], half));
     }
   }
   ASSERT_GT(num_twice, 15);
-  FuseLandmarks(map_, 3, camera_, noise_, options_);
+  FuseLandmarks(3, options_, kMaxDistance, map_);
   std::map<int, int> landmarks_of_point;
   for (LandmarkId id = 0; id < map_.num_landmark_ids(); ++id) {
     const Landmark* landmark = map_.FindLandmark(id);
@@ -47,7 +47,7 @@ TEST_F(LandmarkFusionTest, FusionAddsMissingObservations) {
     map_.RemoveObservation(id, 2);
     ++num_removed;
   }
-  const int num_fused = FuseLandmarks(map_, 2, camera_, noise_, options_).num_fused;
+  const int num_fused = FuseLandmarks(2, options_, kMaxDistance, map_).num_fused;
   EXPECT_GT(num_fused, 0.9 * num_removed);
   EXPECT_LE(num_fused, num_removed);
 }

@@ -12,6 +12,8 @@ namespace corvo::test {
 /// A scene of points and a map of views of it, some points known as landmarks.
 class MappingTest : public ::testing::Test {
  protected:
+  static constexpr int kMaxDistance = 65;
+
   /// Views `step_` apart along x; landmarks are made of the scene's points below `num_known` only.
   void MakeViews(int num_views, int num_known) {
     for (int i = 0; i < num_views; ++i) {
@@ -23,7 +25,7 @@ class MappingTest : public ::testing::Test {
       std::vector<Observation> observations = ObservationsOf(point);
       if (observations.size() < 2) continue;
       const LandmarkId id = map_.AddLandmark(scene_.in_world[point], observations);
-      map_.UpdateAppearance(id, noise_.octave_scales);
+      map_.UpdateAppearance(id);
     }
   }
 
@@ -42,11 +44,10 @@ class MappingTest : public ::testing::Test {
   double step_ = 0.4;
   Random random_{1};
   Camera camera_ = PinholeCamera();
-  KeypointNoise noise_ = MakeNoise();
-  KeyframeOptions options_;
+  LandmarkOptions options_;
   PointScene scene_ = MakeBoxScene(400, 3, 10, random_);
   std::vector<SceneView> views_;
-  Map map_;
+  Map map_{test::MakeModel()};
 };
 
 }  // namespace corvo::test

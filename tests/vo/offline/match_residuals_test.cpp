@@ -19,18 +19,12 @@ class ResidualsTest : public ::testing::Test {
       views.push_back(
           test::ObserveScene(scene, test::PinholeCamera(), world_from_camera, sigma_px, random));
     }
-    return test::MakeMap(scene, views, noise_);
+    return test::MakeMap(scene, views);
   }
-
-  std::optional<MatchResiduals> Measure(const Map& map, const Camera& camera) const {
-    return MeasureResiduals(map, camera, noise_.octave_scales);
-  }
-
-  KeypointNoise noise_ = test::MakeNoise();
 };
 
 TEST_F(ResidualsTest, AreTheNoiseOfThePixels) {
-  const auto residuals = Measure(MakeMap(0.8), test::PinholeCamera());
+  const auto residuals = MeasureResiduals(MakeMap(0.8));
   ASSERT_TRUE(residuals);
   EXPECT_GT(residuals->num_matches, 500);
   EXPECT_NEAR(residuals->median_px, 0.8 * 1.177, 0.08);  // Rayleigh: sigma sqrt(2 ln 2).
@@ -41,13 +35,15 @@ TEST_F(ResidualsTest, OfAnotherCameraAreImplausible) {
   CameraParameters other = test::PinholeCamera().parameters();
   other.fx *= 1.05;
   other.fy *= 1.05;
-  const auto residuals = Measure(MakeMap(0.8), Camera(other));
+  Map map = MakeMap(0.8);
+  map.SetCamera(Camera(other));
+  const auto residuals = MeasureResiduals(map);
   ASSERT_TRUE(residuals);
   EXPECT_GT(residuals->median_px, 4);
   EXPECT_TRUE(IsImplausible(*residuals));
 }
 
-TEST_F(ResidualsTest, AnEmptyMapHasNone) { EXPECT_FALSE(Measure(Map(), test::PinholeCamera())); }
+TEST_F(ResidualsTest, AnEmptyMapHasNone) { EXPECT_FALSE(MeasureResiduals(Map(test::MakeModel()))); }
 
 TEST_F(ResidualsTest, FewMatchesProveNothing) {
   EXPECT_FALSE(IsImplausible({99, 5}));

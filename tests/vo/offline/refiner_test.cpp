@@ -94,7 +94,7 @@ TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
   RefinerOptions options;
   options.sequence.frames_between = 0;
   const int num_keyframes = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
-  EXPECT_EQ(num_keyframes, static_cast<int>(recorded.odometry.map().KeptKeyframes().size()));
+  EXPECT_EQ(num_keyframes, static_cast<int>(recorded.odometry.map().ActiveKeyframes().size()));
   options.sequence.frames_between = 1;
   const int num_more = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
   EXPECT_GT(num_more, num_keyframes);
@@ -118,7 +118,7 @@ TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
   std::set<KeyframeId> left;
   for (const FrameSightings& seen : newest.told) {
     if (seen.keyframe == kNoId) continue;
-    if (!newest.odometry.map().IsKept(seen.keyframe)) left.insert(seen.keyframe);
+    if (!newest.odometry.map().IsActive(seen.keyframe)) left.insert(seen.keyframe);
     EXPECT_EQ(seen.in_world.size(), seen.landmarks.size());
   }
   ASSERT_GT(left.size(), 5u);

@@ -50,7 +50,7 @@ Adjusted AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
   BundleAdjusterOptions options;
   options.max_keyframes = max_keyframes;
   options.max_iterations = 50;
-  Bundle bundle = CopyBundle(map, SelectWindow(map, newest, options), test::MakeNoise());
+  Bundle bundle = CopyBundle(map, SelectWindow(map, newest, options));
   const AdjustmentResult result = AdjustBundle(test::PinholeCamera(), options, bundle);
   return {result, WriteBack(bundle, map)};
 }
@@ -58,7 +58,7 @@ Adjusted AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
 TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
   test::Random random(1);
   const Path path = MakePath(6, 0, random);
-  const Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  const Map map = test::MakeMap(path.scene, path.views);
   BundleAdjusterOptions options;
   options.max_keyframes = 3;
   const AdjustmentWindow window = SelectWindow(map, 5, options);
@@ -72,7 +72,7 @@ TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
 TEST(BundleAdjusterTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
   test::Random random(6);
   const Path path = MakePath(6, 0, random);
-  const Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  const Map map = test::MakeMap(path.scene, path.views);
   BundleAdjusterOptions options;
   options.max_keyframes = 3;
   options.min_shared_landmarks = 10000;
@@ -84,7 +84,7 @@ TEST(BundleAdjusterTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
 TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
   test::Random random(2);
   const Path path = MakePath(6, 0, random);
-  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 3, random);
   const auto [result, outliers] = AdjustAround(map, 5, 3);
   EXPECT_TRUE(result.usable);
@@ -99,7 +99,7 @@ TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
 TEST(BundleAdjusterTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanceStay) {
   test::Random random(3);
   const Path path = MakePath(4, 0.3, random);
-  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 1, random);
   const SE3 first = map.WorldFromKeyframe(0);
   const double distance = map.WorldFromKeyframe(3).translation().norm();
@@ -113,7 +113,7 @@ TEST(BundleAdjusterTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
   Path path = MakePath(5, 0.3, random);
   const int wrong = 7;
   path.views[4].frame.pixels[wrong].x() += 60;
-  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Map map = test::MakeMap(path.scene, path.views);
   const LandmarkId landmark = map.keyframe(4).frame.landmarks[wrong];
   ASSERT_NE(landmark, kNoId);
   const Map before = map;
@@ -128,17 +128,17 @@ TEST(BundleAdjusterTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
 TEST(BundleAdjusterTest, TheMapMayGoOnMeanwhile) {
   test::Random random(7);
   const Path path = MakePath(5, 0.3, random);
-  Map map = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 1, random);
   Map adjusted_at_once = map;
   AdjustAround(adjusted_at_once, 4, 4);
   BundleAdjusterOptions options;
   options.max_keyframes = 4;
   options.max_iterations = 50;
-  Bundle bundle = CopyBundle(map, SelectWindow(map, 4, options), test::MakeNoise());
-  map.CountFound(0);
+  Bundle bundle = CopyBundle(map, SelectWindow(map, 4, options));
+  map.CountSeen({}, map.keyframe(0).frame);
   AdjustBundle(test::PinholeCamera(), options, bundle);
-  map.CountVisible(0);
+  map.CountSeen({0}, Frame());
   WriteBack(bundle, map);
   EXPECT_EQ(map.WorldFromKeyframe(4), adjusted_at_once.WorldFromKeyframe(4));
   EXPECT_EQ(map.FindLandmark(0)->in_world, adjusted_at_once.FindLandmark(0)->in_world);
@@ -147,7 +147,7 @@ TEST(BundleAdjusterTest, TheMapMayGoOnMeanwhile) {
 TEST(BundleAdjusterTest, GivesTheSameBitsTwice) {
   test::Random random(5);
   const Path path = MakePath(5, 0.5, random);
-  Map a = test::MakeMap(path.scene, path.views, test::MakeNoise());
+  Map a = test::MakeMap(path.scene, path.views);
   Disturb(a, 1, random);
   Map b = a;
   AdjustAround(a, 4, 4);

@@ -38,14 +38,14 @@ Map FilmMap(const Camera& camera, Path path, test::Random& random) {
   for (int i = 0; i < kViews; ++i) {
     views.push_back(test::ObserveScene(scene, camera, PoseAt(path, i), kNoisePx, random));
   }
-  return test::MakeMap(scene, views, test::MakeNoise(kSigmaPx));
+  return test::MakeMap(scene, views, test::MakeModel(kSigmaPx));
 }
 
 Bundle CopyAll(const Map& map) {
   AdjustmentWindow window;
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) window.moving.push_back(id);
   window.landmarks = map.FindSeen(window.moving);
-  return CopyBundle(map, window, test::MakeNoise(kSigmaPx));
+  return CopyBundle(map, window);
 }
 
 /// Of a map that was adjusted to the camera as it was given, as an odometry's is.

@@ -21,12 +21,12 @@ class WriteBackTest : public ::testing::Test {
       const SE3 pose(SO3(), Eigen::Vector3d(0.3 * i, 0, 0));
       views.push_back(test::ObserveScene(scene_, camera_, pose, 0, random_));
     }
-    map_ = test::MakeMap(scene_, views, noise_);
+    map_ = test::MakeMap(scene_, views);
     AdjustmentWindow window{{0, 1, 2}, {}, {}};
     for (const LandmarkId id : map_.FindSeen({0, 1, 2})) {
       if (id % 2 == 0) window.landmarks.push_back(id);
     }
-    bundle_ = CopyBundle(map_, window, noise_);
+    bundle_ = CopyBundle(map_, window);
   }
 
   /// Moves the whole bundle, as an adjustment never would.
@@ -41,9 +41,8 @@ class WriteBackTest : public ::testing::Test {
 
   test::Random random_{1};
   Camera camera_ = test::PinholeCamera();
-  KeypointNoise noise_ = test::MakeNoise();
   test::PointScene scene_ = test::MakeBoxScene(200, 3, 10, random_);
-  Map map_;
+  Map map_{test::MakeModel()};
   Bundle bundle_;
 };
 
@@ -80,11 +79,11 @@ TEST_F(WriteBackTest, WhatHasLeftIsNotMissed) {
   const Observation observation = map_.FindLandmark(changed)->observations.front();
   map_.RemoveLandmark(removed);
   map_.RemoveObservation(changed, observation.keyframe);
-  map_.RetireKeyframe(1, 0);
+  map_.CullKeyframe(1, 0);
   for (Bundle::Sighting& sighting : bundle_.sightings) sighting.is_inlier = sighting.point > 1;
   WriteBack(bundle_, map_);
   EXPECT_EQ(map_.FindLandmark(removed), nullptr);
-  EXPECT_FALSE(map_.IsKept(1));
+  EXPECT_FALSE(map_.IsActive(1));
 }
 
 }  // namespace

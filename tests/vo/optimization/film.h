@@ -18,12 +18,11 @@ inline Bundle Film(const Camera& camera, int num_views, double noise_px, Random&
                    {0.4 * i, 0.1 * std::sin(i), 0.3 * i});
     views.push_back(ObserveScene(scene, camera, pose, noise_px, random));
   }
-  const KeypointNoise noise = MakeNoise(std::max(noise_px, 0.1));
-  const Map map = MakeMap(scene, views, noise);
+  const Map map = MakeMap(scene, views, MakeModel(camera, std::max(noise_px, 0.1)));
   AdjustmentWindow window;
   for (KeyframeId id = 0; id < num_views; ++id) window.moving.push_back(id);
   window.landmarks = map.FindSeen(window.moving);
-  return CopyBundle(map, window, noise);
+  return CopyBundle(map, window);
 }
 
 }  // namespace corvo::test

@@ -21,8 +21,8 @@ Bundle MakeBundle(test::Random& random) {
     const SE3 pose(SO3(), Eigen::Vector3d(0.4 * i, 0, 0));
     views.push_back(test::ObserveScene(scene, test::PinholeCamera(), pose, 0, random));
   }
-  const Map map = test::MakeMap(scene, views, test::MakeNoise());
-  return CopyBundle(map, {{1, 2, 3, 4, 5}, {0}, map.FindSeen({1, 2, 3, 4, 5})}, test::MakeNoise());
+  const Map map = test::MakeMap(scene, views);
+  return CopyBundle(map, {{1, 2, 3, 4, 5}, {0}, map.FindSeen({1, 2, 3, 4, 5})});
 }
 
 std::vector<int> CountSightings(const Bundle& bundle) {

@@ -45,7 +45,8 @@ TEST(FrameMatchingTest, KnowingTheRotationFindsOnlyPointsNearIt) {
   const test::SceneView first = test::ObserveScene(scene, camera, SE3(), 0.3, random);
   const test::SceneView second = test::ObserveScene(scene, camera, moved, 0.3, random);
   const auto match = [&](const SO3& second_from_first) {
-    return MatchRotatedFrames(first.frame, second.frame, second_from_first, camera, {1.0}, 12);
+    return MatchRotatedFrames({first.frame, second.frame, second_from_first}, test::MakeModel(),
+                              12);
   };
   const SO3 truth = moved.rotation().Inverse();
   const auto matches = match(truth);

@@ -23,7 +23,7 @@ class InitializerTest : public ::testing::Test {
   test::Random random_{1};
   Camera camera_ = test::PinholeCamera();
   test::PointScene scene_ = test::MakeBoxScene(500, 3, 12, random_);
-  Initializer initializer_{InitializerOptions(), test::MakeNoise(), camera_};
+  Initializer initializer_{OdometryOptions(), test::MakeModel()};
 };
 
 TEST_F(InitializerTest, WaitsForParallaxThenMakesAMapOfUnitDepth) {
@@ -46,6 +46,19 @@ TEST_F(InitializerTest, WaitsForParallaxThenMakesAMapOfUnitDepth) {
   const std::vector<Frame> frames = initializer_.TakeFrames();
   EXPECT_EQ(frames.size(), 3u);
   EXPECT_TRUE(initializer_.TakeFrames().empty());
+}
+
+TEST_F(InitializerTest, TwoViewAdjustmentFollowsTheOptions) {
+  const auto initialize = [&](double huber_sigmas) {
+    random_ = test::Random(1);
+    OdometryOptions options;
+    options.bundle_adjuster.huber_sigmas = huber_sigmas;
+    initializer_ = Initializer(options, test::MakeModel());
+    Add(Shifted(0));
+    return Add(Shifted(0.6)).map.value().first_from_second;
+  };
+  EXPECT_EQ(initialize(1), initialize(1));
+  EXPECT_NE(initialize(1), initialize(0.1));
 }
 
 TEST_F(InitializerTest, SaysThatAFrameIsBlank) {
@@ -115,9 +128,9 @@ TEST_F(InitializerTest, ContinuesTheRotationOfAFrameInBetween) {
 }
 
 TEST_F(InitializerTest, ForgetsTheOldestFrames) {
-  InitializerOptions options;
-  options.max_waiting_frames = 3;
-  initializer_ = Initializer(options, test::MakeNoise(), camera_);
+  OdometryOptions options;
+  options.initializer.max_waiting_frames = 3;
+  initializer_ = Initializer(options, test::MakeModel());
   for (int i = 0; i < 10; ++i) Add(Shifted(0));
   EXPECT_EQ(initializer_.TakeFrames().size(), 3u);
 }

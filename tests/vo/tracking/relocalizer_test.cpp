@@ -16,7 +16,7 @@ class RelocalizerTest : public ::testing::Test {
   RelocalizerTest() {
     std::vector<test::SceneView> views;
     for (int i = 0; i < 6; ++i) views.push_back(View(PoseAt(i)));
-    map_ = test::MakeMap(scene_, views, noise_);
+    map_ = test::MakeMap(scene_, views);
   }
 
   static SE3 PoseAt(double i) {
@@ -28,14 +28,15 @@ class RelocalizerTest : public ::testing::Test {
   }
 
   TrackingResult Locate(Frame& frame, const RelocalizerOptions& options = {}) {
-    return Relocalize(map_, 0, camera_, noise_, TrackerOptions(), options, frame);
+    OdometryOptions all;
+    all.relocalizer = options;
+    return Relocalizer(all).Relocalize(0, map_, frame);
   }
 
   test::Random random_{1};
   Camera camera_ = test::PinholeCamera();
-  KeypointNoise noise_ = test::MakeNoise();
   test::PointScene scene_ = test::MakeBoxScene(900, 3, 12, random_);
-  Map map_;
+  Map map_{test::MakeModel()};
 };
 
 TEST_F(RelocalizerTest, FindsAFrameAnywhereInTheMap) {
@@ -56,8 +57,7 @@ TEST_F(RelocalizerTest, LooksOnlyInTheNewestKeyframes) {
 
 TEST_F(RelocalizerTest, LooksOnlyInItsSegment) {
   test::SceneView view = View(PoseAt(1));
-  EXPECT_NE(Relocalize(map_, 1, camera_, noise_, TrackerOptions(), {}, view.frame).reason,
-            Reason::kNone);
+  EXPECT_FALSE(Relocalizer(OdometryOptions()).Relocalize(1, map_, view.frame).is_tracked());
 }
 
 TEST_F(RelocalizerTest, AsksForEnoughInliers) {

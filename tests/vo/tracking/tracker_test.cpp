@@ -16,7 +16,7 @@ class TrackerTest : public ::testing::Test {
  protected:
   TrackerTest() {
     for (int i = 0; i < 3; ++i) views_.push_back(View(Shifted(0.3 * i)));
-    map_ = test::MakeMap(scene_, views_, noise_);
+    map_ = test::MakeMap(scene_, views_);
     previous_ = map_.keyframe(2).frame;
   }
 
@@ -27,7 +27,7 @@ class TrackerTest : public ::testing::Test {
   }
 
   TrackingResult TrackNext(const SE3& predicted, Frame& frame) const {
-    return TrackFrame(map_, previous_, predicted, camera_, noise_, TrackerOptions(), frame);
+    return Tracker(OdometryOptions()).Track(map_, previous_, predicted, frame);
   }
 
   /// Adds keypoints that look much, but less than the true ones, like landmarks of the frame
@@ -51,10 +51,9 @@ class TrackerTest : public ::testing::Test {
 
   test::Random random_{1};
   Camera camera_ = test::PinholeCamera();
-  KeypointNoise noise_ = test::MakeNoise();
   test::PointScene scene_ = test::MakeBoxScene(600, 3, 12, random_);
   std::vector<test::SceneView> views_;
-  Map map_;
+  Map map_{test::MakeModel()};
   Frame previous_;
 };
 
@@ -114,7 +113,7 @@ TEST_F(TrackerTest, SaysThatNothingMatches) {
 
 TEST_F(TrackerTest, FollowsMergedLandmarks) {
   // Every landmark of the frame before is merged into a twin that the other views see.
-  Map map;
+  Map map(test::MakeModel());
   for (const test::SceneView& view : views_) map.AddKeyframe(view.frame, 0);
   test::SceneView view = View(Shifted(0.9));
   Frame previous = map_.keyframe(2).frame;
@@ -123,9 +122,8 @@ TEST_F(TrackerTest, FollowsMergedLandmarks) {
   ASSERT_NE(kept, kNoId);
   ASSERT_NE(gone, kNoId);
   map.MergeLandmark(gone, kept);
-  EXPECT_EQ(
-      TrackFrame(map, previous, Shifted(0.9), camera_, noise_, TrackerOptions(), view.frame).reason,
-      Reason::kNone);
+  const Tracker tracker{OdometryOptions()};
+  EXPECT_TRUE(tracker.Track(map, previous, Shifted(0.9), view.frame).is_tracked());
   std::set<LandmarkId> seen;
   for (const LandmarkId id : view.frame.landmarks) {
     if (id == kNoId) continue;

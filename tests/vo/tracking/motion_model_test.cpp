@@ -1,0 +1,44 @@
+#include "vo/tracking/motion_model.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/matchers.h"
+
+namespace corvo {
+namespace {
+
+Frame PosedFrame(TimeNs time_ns, const SE3& world_from_camera) {
+  Frame frame;
+  frame.time_ns = time_ns;
+  frame.world_from_camera = world_from_camera;
+  return frame;
+}
+
+TEST(MotionModelTest, PredictsTheSamePoseBeforeAnyMotionIsKnown) {
+  const SE3 pose(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
+  const MotionModel motion;
+  EXPECT_THAT(motion.Predict(PosedFrame(5, pose), 100), test::IsPoseNear(pose, 1e-12, 1e-12));
+  EXPECT_FALSE(motion.ExpectedDistance(100));
+}
+
+TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
+  const SE3 start(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
+  const SE3 step(SO3::Exp({0, 0.02, 0}), {0.1, 0, 0.5});
+  const Frame earlier = PosedFrame(100, start), later = PosedFrame(200, start * step);
+  MotionModel motion;
+  motion.Update(earlier, later);
+  EXPECT_THAT(motion.Predict(later, 300), test::IsPoseNear(start * step * step, 1e-9, 1e-9));
+  EXPECT_THAT(motion.Predict(later, 100), test::IsPoseNear(start, 1e-9, 1e-9));
+  EXPECT_THAT(motion.Predict(later, 250),
+              test::IsPoseNear(start * step * step.Power(0.5), 1e-9, 1e-9));
+  EXPECT_NEAR(*motion.ExpectedDistance(300), 3 * step.translation().norm(), 1e-12);
+}
+
+TEST(MotionModelTest, ExpectsNoDistanceOfAStandingCamera) {
+  MotionModel motion;
+  motion.Update(PosedFrame(100, SE3()), PosedFrame(200, SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0})));
+  EXPECT_FALSE(motion.ExpectedDistance(100));
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,90 @@
+#include "vo/mapping/mapper.h"
+
+#include <limits>
+
+#include "vo/map/landmark_alignment.h"
+#include "vo/mapping/culling.h"
+#include "vo/mapping/landmark_creation.h"
+#include "vo/mapping/landmark_fusion.h"
+
+namespace corvo {
+
+Mapper::Mapper(const CameraPrior& prior, const OdometryOptions& options)
+    : options_(options), adjuster_(prior, options) {}
+
+KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Frame& first,
+                                    Frame& second, Map& map) {
+  second.world_from_camera = first.world_from_camera * initial.first_from_second;
+  const KeyframeId first_id = map.AddKeyframe(first, segment);
+  const KeyframeId second_id = map.AddKeyframe(second, segment);
+  for (const InitialPoint& point : initial.points) {
+    const Observation in_second{second_id, point.second_keypoint};
+    const LandmarkId id = map.AddLandmark(first.world_from_camera * point.in_first,
+                                          {{first_id, point.first_keypoint}, in_second});
+    AlignObservation(id, in_second, map);
+    map.UpdateAppearance(id);
+    probation_.push_back(id);
+  }
+  first.landmarks = map.keyframe(first_id).frame.landmarks;
+  second.landmarks = map.keyframe(second_id).frame.landmarks;
+  return first_id;
+}
+
+KeyframeId Mapper::InsertKeyframe(Frame& frame, int segment, Map& map) {
+  const KeyframeId keyframe = map.AddKeyframe(frame, segment);
+  for (const LandmarkId id : map.LandmarksOf(keyframe)) map.UpdateAppearance(id);
+  CullLandmarks(options_.culling, probation_, map);
+  const LandmarkId first_new = map.num_landmark_ids();
+  CreateLandmarks(keyframe, options_.landmarks, options_.matching.max_distance, map);
+  for (LandmarkId id = first_new; id < map.num_landmark_ids(); ++id) probation_.push_back(id);
+  unfused_ = keyframe;
+  frame.landmarks = map.keyframe(keyframe).frame.landmarks;
+  return keyframe;
+}
+
+MapUpdate Mapper::Update(int frame, Map& map, ObservationRecorder& recorder, StageClock& clock) {
+  const MapUpdate update = UseAdjustments(frame, map, recorder, clock);
+  if (map.empty()) return update;
+  const StageClock::Scope mapping(clock, &StageTimes::map_ms);
+  FuseLandmarks(map, recorder);
+  const StageClock::Scope adjusting(clock, &StageTimes::adjust_ms);
+  StartAdjustment(frame, map);
+  return update;
+}
+
+MapUpdate Mapper::Finish(Map& map, ObservationRecorder& recorder, StageClock& clock) {
+  const StageClock::Scope mapping(clock, &StageTimes::map_ms);
+  FuseLandmarks(map, recorder);
+  return UseAdjustments(std::numeric_limits<int>::max(), map, recorder, clock);
+}
+
+MapUpdate Mapper::UseAdjustments(int frame, Map& map, const ObservationRecorder& recorder,
+                                 StageClock& clock) {
+  MapUpdate update;
+  {
+    const StageClock::Scope adjusting(clock, &StageTimes::adjust_ms);
+    update.is_adjusted = adjuster_.Finish(frame, map);
+  }
+  if (!update.is_adjusted) return update;
+  const StageClock::Scope mapping(clock, &StageTimes::map_ms);
+  update.culled = CullKeyframes(map.num_keyframes() - 1, options_.culling, map);
+  Marginalize(map, recorder);
+  return update;
+}
+
+void Mapper::FuseLandmarks(Map& map, ObservationRecorder& recorder) {
+  if (unfused_ == kNoId) return;
+  recorder.AddMerges(
+      corvo::FuseLandmarks(unfused_, options_.landmarks, options_.matching.max_distance, map)
+          .merges);
+  map.DropPatches(unfused_ - options_.landmarks.num_aligned_keyframes);
+  unfused_ = kNoId;
+}
+
+void Mapper::Marginalize(Map& map, const ObservationRecorder& recorder) const {
+  recorder.RecordLandmarks(MarginalizeKeyframes(
+      options_.relocalizer.max_keyframes,
+      [&](const Keyframe& keyframe) { recorder.RecordKeyframe(keyframe, map); }, map));
+}
+
+}  // namespace corvo

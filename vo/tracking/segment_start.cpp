@@ -1,0 +1,21 @@
+#include "vo/tracking/segment_start.h"
+
+namespace corvo {
+
+SE3 PredictFirstPose(const Frame& first, const std::optional<SO3>& world_from_first_rotation,
+                     const Frame& previous, const MotionModel& motion) {
+  if (!world_from_first_rotation) return motion.Predict(previous, first.time_ns);
+  return SE3(*world_from_first_rotation, previous.world_from_camera.translation());
+}
+
+InitialMap ScaleToMotion(InitialMap map, TimeNs baseline_ns, const MotionModel& motion) {
+  const std::optional<double> distance = motion.ExpectedDistance(baseline_ns);
+  if (!distance) return map;
+  const double scale = *distance / map.first_from_second.translation().norm();
+  map.first_from_second =
+      SE3(map.first_from_second.rotation(), scale * map.first_from_second.translation());
+  for (InitialPoint& point : map.points) point.in_first *= scale;
+  return map;
+}
+
+}  // namespace corvo
