@@ -20,7 +20,7 @@ void RegisterFast(ImageSets& images, int repeats);
 void RegisterMatching(ImageSets& images, int repeats);
 
 /// The stages of corvo's extraction, on the best instruction set: counters named as in kStages, the
-/// median over pictures of the least time, ms. The run throws corvo::Error unless they find the
+/// median over images of the least time, ms. The run throws corvo::Error unless they find the
 /// keypoints that orb::Extractor finds.
 void RegisterStages(ImageSets& images, int repeats);
 

@@ -39,7 +39,7 @@ class Timed {
 };
 
 void Report(const Timed& contender, const Timed& baseline, benchmark::State& state) {
-  const PairedSummary summary = Summarise(contender.times(), baseline.times());
+  const PairedSummary summary = Summarize(contender.times(), baseline.times());
   const auto visits = static_cast<double>(state.iterations());
   state.counters["ms"] = summary.ms;
   state.counters["p99_ms"] = summary.p99_ms;
@@ -74,7 +74,7 @@ void Register(const Comparison& comparison, const std::string& instruction_set, 
     const orb::kernels::UseInstructionSet use(instruction_set);
     cv::setNumThreads(comparison.threads);
     const Contenders contenders = comparison.prepare();
-    state.SetLabel(contenders.pictures);
+    state.SetLabel(contenders.images);
     Run(contenders, comparison.items, comparison.threads == 1 ? ThreadTimeMs : WallTimeMs, state);
   };
   benchmark::RegisterBenchmark((comparison.title + "/" + instruction_set).c_str(), run)

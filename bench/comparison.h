@@ -14,7 +14,7 @@ using Work = std::function<std::size_t(int item)>;
 struct Contenders {
   Work contender;
   Work baseline;
-  std::string pictures;  ///< Where those that they work on come from.
+  std::string images;  ///< Where those that they work on come from.
 };
 
 struct Comparison {

@@ -49,7 +49,7 @@ void CheckEqualCorners(const std::vector<cv::Mat>& images, int threshold) {
     opencv.Detect(images[i]);
     if (AreEqual(corvo.corners, opencv.corners)) continue;
     throw Error(
-        fmt::format("FAST with threshold {} on picture {}: {} corners, not the {} of cv::FAST",
+        fmt::format("FAST with threshold {} on image {}: {} corners, not the {} of cv::FAST",
                     threshold, i, corvo.corners.size(), opencv.corners.size()));
   }
 }

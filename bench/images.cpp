@@ -14,12 +14,12 @@
 namespace corvo::bench {
 namespace {
 
-constexpr int kMosaics = 24;  ///< One starts at each of Oxford's pictures.
+constexpr int kMosaics = 24;  ///< One starts at each of Oxford's images.
 const cv::Size kFullHd(1920, 1080);
 
-cv::Mat ReadGrey(const std::string& file) {
+cv::Mat ReadGray(const std::string& file) {
   cv::Mat image = cv::imread(file, cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw Error(file + ": no picture that can be read");
+  if (image.empty()) throw Error(file + ": no image that can be read");
   return image;
 }
 
@@ -31,28 +31,28 @@ std::vector<std::string> FindFiles(const std::string& pattern, bool in_subfolder
   return files;
 }
 
-/// Reads pictures spread evenly over the files that match.
+/// Reads images spread evenly over the files that match.
 ImageSet::Maker ReadSpread(const std::string& pattern) {
   return [pattern](int count) {
     const std::vector<std::string> files = FindFiles(pattern, false);
     std::vector<cv::Mat> images;
-    for (int i = 0; i < count; ++i) images.push_back(ReadGrey(files[i * files.size() / count]));
+    for (int i = 0; i < count; ++i) images.push_back(ReadGray(files[i * files.size() / count]));
     return images;
   };
 }
 
-/// Rows of pictures, as high as the lowest of them. From one to the next it goes on by seven, to
+/// Rows of images, as high as the lowest of them. From one to the next it goes on by seven, to
 /// another scene.
-cv::Mat Mosaic(const std::vector<cv::Mat>& pictures, int height, std::size_t first) {
+cv::Mat Mosaic(const std::vector<cv::Mat>& images, int height, std::size_t first) {
   cv::Mat mosaic(kFullHd, CV_8UC1);
   const cv::Rect whole({0, 0}, kFullHd);
   std::size_t next = first;
   for (int y = 0; y < kFullHd.height; y += height) {
     for (int x = 0; x < kFullHd.width;) {
-      const cv::Mat& picture = pictures[next % pictures.size()];
-      const cv::Rect tile = cv::Rect(x, y, picture.cols, height) & whole;
-      picture(cv::Rect({0, 0}, tile.size())).copyTo(mosaic(tile));
-      x += picture.cols;
+      const cv::Mat& image = images[next % images.size()];
+      const cv::Rect tile = cv::Rect(x, y, image.cols, height) & whole;
+      image(cv::Rect({0, 0}, tile.size())).copyTo(mosaic(tile));
+      x += image.cols;
       next += 7;
     }
   }
@@ -60,27 +60,27 @@ cv::Mat Mosaic(const std::vector<cv::Mat>& pictures, int height, std::size_t fir
 }
 
 std::vector<cv::Mat> MakeMosaics(int count) {
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   for (const auto& file : FindFiles("oxford_affine/img*.p?m", true)) {
-    pictures.push_back(ReadGrey(file));
+    images.push_back(ReadGray(file));
   }
-  int height = pictures.front().rows;
-  for (const cv::Mat& picture : pictures) height = std::min(height, picture.rows);
+  int height = images.front().rows;
+  for (const cv::Mat& image : images) height = std::min(height, image.rows);
   std::vector<cv::Mat> mosaics;
   for (int i = 0; i < count; ++i) {
-    mosaics.push_back(Mosaic(pictures, height, i * pictures.size() / count));
+    mosaics.push_back(Mosaic(images, height, i * images.size() / count));
   }
   return mosaics;
 }
 
-/// Renders pictures spread evenly over a sequence.
+/// Renders images spread evenly over a sequence.
 std::vector<cv::Mat> RenderSpread(const synthetic::Sequence& sequence, int count) {
   std::vector<cv::Mat> images;
   for (int i = 0; i < count; ++i) images.push_back(sequence.Render(i * sequence.size() / count));
   return images;
 }
 
-/// Pictures of the synthetic room.
+/// Images of the synthetic room.
 ImageSet::Maker RenderRoom(cv::Size size) {
   return [size](int count) {
     synthetic::SequenceOptions options;

@@ -8,12 +8,12 @@
 
 namespace corvo::bench {
 
-/// Grey pictures of one size, made when they are first asked for and then kept.
+/// Gray images of one size, made when they are first asked for and then kept.
 class ImageSet {
  public:
   using Maker = std::function<std::vector<cv::Mat>(int count)>;
 
-  /// `folder` of the test data has what `read` reads; without it the pictures are `render`ed.
+  /// `folder` of the test data has what `read` reads; without it the images are `render`ed.
   ImageSet(std::string name, int count, std::string folder, Maker read, Maker render);
 
   const std::string& name() const { return name_; }
@@ -22,7 +22,7 @@ class ImageSet {
   /// The folder of the test data, or "synthetic".
   std::string Source() const;
 
-  /// The vector stays the same. Throws corvo::Error where a picture cannot be read.
+  /// The vector stays the same. Throws corvo::Error where an image cannot be read.
   const std::vector<cv::Mat>& Images();
 
  private:
@@ -41,10 +41,10 @@ struct ImageSets {
   ImageSet vga;      ///< 640x480: 7-Scenes, hand-held.
   ImageSet kitti;    ///< 1242x375: KITTI 03, a drive.
   ImageSet euroc;    ///< 752x480: EuRoC MH_01, a drone.
-  ImageSet full_hd;  ///< 1920x1080: mosaics of Oxford's pictures at their own resolution.
+  ImageSet full_hd;  ///< 1920x1080: mosaics of Oxford's images at their own resolution.
 };
 
-/// Up to `max_count` pictures of each size, spread over the sequences.
+/// Up to `max_count` images of each size, spread over the sequences.
 ImageSets MakeImageSets(int max_count);
 
 }  // namespace corvo::bench

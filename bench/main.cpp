@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kHelp =
     R"(corvo_bench [--images N] [--repeats N] [--benchmark_filter=REGEX] [--benchmark_out=FILE]
 
-Times corvo against OpenCV, picture by picture, and prints a Markdown table.
-  --images N    pictures of each size (default 100)
+Times corvo against OpenCV, image by image, and prints a Markdown table.
+  --images N    images of each size (default 100)
   --repeats N   visits to each; the least time counts (default 5)
 and the options of Google Benchmark: --benchmark_out writes JSON.
 )";

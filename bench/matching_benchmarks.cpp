@@ -18,22 +18,22 @@ namespace corvo::bench {
 namespace {
 
 constexpr int kNumFeatures = 2000;
-constexpr int kMaxPictures = 10;
+constexpr int kMaxImages = 10;
 
-/// The descriptors of one picture.
+/// The descriptors of one image.
 struct Described {
   std::vector<orb::Descriptor> corvo;
   cv::Mat opencv;
 };
 
-using DescribedPictures = std::vector<Described>;
+using DescribedImages = std::vector<Described>;
 
-std::shared_ptr<const DescribedPictures> DescribePictures(const std::vector<cv::Mat>& images,
-                                                          int count) {
+std::shared_ptr<const DescribedImages> DescribeImages(const std::vector<cv::Mat>& images,
+                                                      int count) {
   orb::ExtractorOptions options;
   options.num_features = kNumFeatures;
   orb::Extractor extractor(options);
-  const auto described = std::make_shared<DescribedPictures>();
+  const auto described = std::make_shared<DescribedImages>();
   for (int i = 0; i < count; ++i) {
     const std::vector<orb::Descriptor> descriptors = extractor.Extract(images[i]).descriptors;
     described->push_back({descriptors, orb::ToDescriptorMat(descriptors)});
@@ -41,21 +41,21 @@ std::shared_ptr<const DescribedPictures> DescribePictures(const std::vector<cv::
   return described;
 }
 
-/// The picture that a picture's descriptors are looked for in: the next one, the first at the end.
-const Described& Next(const DescribedPictures& pictures, std::size_t item) {
-  return pictures[(item + 1) % pictures.size()];
+/// The image that an image's descriptors are looked for in: the next one, the first at the end.
+const Described& Next(const DescribedImages& images, std::size_t item) {
+  return images[(item + 1) % images.size()];
 }
 
-std::vector<orb::Nearest> FindWithCorvo(const DescribedPictures& pictures, std::size_t item) {
-  return orb::FindNearest(pictures[item].corvo, Next(pictures, item).corvo);
+std::vector<orb::Nearest> FindWithCorvo(const DescribedImages& images, std::size_t item) {
+  return orb::FindNearest(images[item].corvo, Next(images, item).corvo);
 }
 
 using OpenCvMatches = std::vector<std::vector<cv::DMatch>>;
 
-void FindWithOpenCv(const DescribedPictures& pictures, std::size_t item, OpenCvMatches& matches) {
+void FindWithOpenCv(const DescribedImages& images, std::size_t item, OpenCvMatches& matches) {
   matches.clear();  // knnMatch appends.
   const cv::BFMatcher matcher(cv::NORM_HAMMING);
-  matcher.knnMatch(pictures[item].opencv, Next(pictures, item).opencv, matches, 2);
+  matcher.knnMatch(images[item].opencv, Next(images, item).opencv, matches, 2);
 }
 
 bool HasDistances(const orb::Nearest& nearest, const std::vector<cv::DMatch>& matches) {
@@ -63,24 +63,24 @@ bool HasDistances(const orb::Nearest& nearest, const std::vector<cv::DMatch>& ma
          static_cast<int>(matches[1].distance) == nearest.second_distance;
 }
 
-void CheckEqualDistances(const DescribedPictures& pictures) {
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::vector<orb::Nearest> nearest = FindWithCorvo(pictures, i);
+void CheckEqualDistances(const DescribedImages& images) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::vector<orb::Nearest> nearest = FindWithCorvo(images, i);
     OpenCvMatches matches;
-    FindWithOpenCv(pictures, i, matches);
+    FindWithOpenCv(images, i, matches);
     if (std::equal(nearest.begin(), nearest.end(), matches.begin(), matches.end(), HasDistances)) {
       continue;
     }
-    throw Error("picture " + std::to_string(i) + ": distances are not those of cv::BFMatcher");
+    throw Error("image " + std::to_string(i) + ": distances are not those of cv::BFMatcher");
   }
 }
 
 Contenders PrepareMatching(ImageSet& set, int count) {
-  const auto pictures = DescribePictures(set.Images(), count);
-  CheckEqualDistances(*pictures);
-  const Work corvo = [pictures](int item) { return FindWithCorvo(*pictures, item).size(); };
-  const Work opencv = [pictures, matches = OpenCvMatches()](int item) mutable {
-    FindWithOpenCv(*pictures, item, matches);
+  const auto images = DescribeImages(set.Images(), count);
+  CheckEqualDistances(*images);
+  const Work corvo = [images](int item) { return FindWithCorvo(*images, item).size(); };
+  const Work opencv = [images, matches = OpenCvMatches()](int item) mutable {
+    FindWithOpenCv(*images, item, matches);
     return matches.size();
   };
   return {corvo, opencv, set.Source()};
@@ -89,7 +89,7 @@ Contenders PrepareMatching(ImageSet& set, int count) {
 }  // namespace
 
 void RegisterMatching(ImageSets& images, int repeats) {
-  const int count = std::min(images.kitti.count(), kMaxPictures);
+  const int count = std::min(images.kitti.count(), kMaxImages);
   const Comparison comparison = {
       "2000 descriptors, two nearest of 2000, against cv::BFMatcher", count, 1,
       [&set = images.kitti, count] { return PrepareMatching(set, count); }};

@@ -9,7 +9,7 @@ namespace corvo::bench {
 
 void LeastTimes::Add(int item, double ms) { ms_[item] = std::min(ms_[item], ms); }
 
-PairedSummary Summarise(const LeastTimes& contender, const LeastTimes& baseline) {
+PairedSummary Summarize(const LeastTimes& contender, const LeastTimes& baseline) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < contender.ms().size(); ++i) {
     ratios.push_back(baseline.ms()[i] / contender.ms()[i]);

@@ -31,6 +31,6 @@ struct PairedSummary {
 };
 
 /// There is at least one item, and every one has both times.
-PairedSummary Summarise(const LeastTimes& contender, const LeastTimes& baseline);
+PairedSummary Summarize(const LeastTimes& contender, const LeastTimes& baseline);
 
 }  // namespace corvo::bench

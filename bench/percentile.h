@@ -6,7 +6,7 @@
 
 namespace corvo::bench {
 
-/// The value below which `percent` (0 to 100) of the values lie, interpolated between neighbours:
+/// The value below which `percent` (0 to 100) of the values lie, interpolated between neighbors:
 /// 0 is the least, 50 the median, 100 the greatest. There is at least one value.
 inline double Percentile(std::vector<double> values, double percent) {
   std::sort(values.begin(), values.end());

@@ -42,7 +42,7 @@ std::string Line(const std::vector<ComparisonRow>& rows,
                  const std::vector<std::string>& instruction_sets) {
   const ComparisonRow& first = rows.front();
   std::string line =
-      fmt::format("| {} | {} | {:.3g} | {:.2f} | {:.3g} |", first.title, first.pictures, first.ms,
+      fmt::format("| {} | {} | {:.3g} | {:.2f} | {:.3g} |", first.title, first.images, first.ms,
                   first.p99_ms / first.ms, first.baseline_ms);
   for (const std::string& name : instruction_sets) {
     const auto row = FindInstructionSet(rows, name);
@@ -58,7 +58,7 @@ std::string ComparisonTable(const std::vector<ComparisonRow>& rows,
   std::vector<std::string> columns;
   std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(columns),
                [&](const auto& name) { return FindInstructionSet(rows, name) != rows.end(); });
-  std::string table = Head({"comparison", "pictures", "ms", "p99 / p50", "baseline ms"}, columns);
+  std::string table = Head({"comparison", "images", "ms", "p99 / p50", "baseline ms"}, columns);
   for (const std::string& title : DistinctTitles(rows)) {
     std::vector<ComparisonRow> of_title;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(of_title),
@@ -69,9 +69,9 @@ std::string ComparisonTable(const std::vector<ComparisonRow>& rows,
 }
 
 std::string StageTable(const std::vector<StageRow>& rows, const std::vector<std::string>& stages) {
-  std::string table = Head({"stages, ms", "pictures"}, stages);
+  std::string table = Head({"stages, ms", "images"}, stages);
   for (const StageRow& row : rows) {
-    table += fmt::format("| {} | {} |", row.title, row.pictures);
+    table += fmt::format("| {} | {} |", row.title, row.images);
     for (const double ms : row.ms) table += fmt::format(" {:.3g} |", ms);
     table += "\n";
   }

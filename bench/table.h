@@ -8,7 +8,7 @@ namespace corvo::bench {
 /// What a comparison gave on one instruction set.
 struct ComparisonRow {
   std::string title;
-  std::string pictures;
+  std::string images;
   std::string instruction_set;
   double ms = 0;           ///< The contender's median.
   double p99_ms = 0;       ///< Its 99th percentile.
@@ -25,7 +25,7 @@ std::string ComparisonTable(const std::vector<ComparisonRow>& rows,
 /// What the stages of a task took.
 struct StageRow {
   std::string title;
-  std::string pictures;
+  std::string images;
   std::vector<double> ms;  ///< Of each stage.
 };
 

@@ -24,7 +24,7 @@ ComparisonRow ToComparison(const benchmark::BenchmarkReporter::Run& run) {
   const RunName name = Split(run.run_name.function_name);
   ComparisonRow row;
   row.title = name.title;
-  row.pictures = run.report_label;
+  row.images = run.report_label;
   row.instruction_set = name.instruction_set;
   row.ms = run.counters.at("ms");
   row.p99_ms = run.counters.at("p99_ms");

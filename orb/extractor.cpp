@@ -26,7 +26,7 @@ std::string SizeText(const cv::Mat& image) {
   return std::to_string(image.cols) + "x" + std::to_string(image.rows);
 }
 
-void CheckGrey(const char* name, const cv::Mat& image) {
+void CheckGray(const char* name, const cv::Mat& image) {
   if (image.type() == CV_8UC1) return;
   throw Error(std::string(name) + " has OpenCV type " + std::to_string(image.type()) +
               "; allowed is 8-bit, one channel (CV_8UC1)");
@@ -34,9 +34,9 @@ void CheckGrey(const char* name, const cv::Mat& image) {
 
 void CheckInput(const cv::Mat& image, const cv::Mat& mask) {
   if (image.empty()) throw Error("image is empty");
-  CheckGrey("image", image);
+  CheckGray("image", image);
   if (mask.empty()) return;
-  CheckGrey("mask", mask);
+  CheckGray("mask", mask);
   if (mask.size() == image.size()) return;
   throw Error("mask is " + SizeText(mask) + "; allowed is the image's size, " + SizeText(image));
 }

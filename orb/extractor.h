@@ -21,7 +21,7 @@ struct DescribedKeypoints {
 
 class BufferPool;
 
-/// ORB features of grey images: oriented FAST keypoints spread over a grid and rotated BRIEF
+/// ORB features of gray images: oriented FAST keypoints spread over a grid and rotated BRIEF
 /// descriptors (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011).
 /// The same image and options give the same bits, whatever the number of threads. Several threads
 /// may use one extractor at once; it keeps the buffers of as many.

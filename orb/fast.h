@@ -12,15 +12,15 @@ namespace corvo::orb {
 struct Corner {
   int x = 0;
   int y = 0;
-  int score = 0;  ///< The largest threshold at which the pixel is still a corner, grey levels.
+  int score = 0;  ///< The largest threshold at which the pixel is still a corner, gray levels.
 
   bool operator==(const Corner&) const = default;
 };
 
 /// FAST-9 corners after 3x3 non-maximum suppression (Rosten and Drummond, "Machine learning for
 /// high-speed corner detection", ECCV 2006): pixels with 9 contiguous pixels of the 16 on the
-/// circle of radius 3 all brighter than the centre by more than `threshold`, or all darker; of
-/// these, the ones whose score exceeds that of all 8 neighbours (neighbours of equal score suppress
+/// circle of radius 3 all brighter than the center by more than `threshold`, or all darker; of
+/// these, the ones whose score exceeds that of all 8 neighbors (neighbors of equal score suppress
 /// one another). Hence the corners at a higher threshold are those of this score. Keeps its
 /// buffers.
 class FastDetector {

@@ -51,7 +51,7 @@ class LshIndex::Search {
     for (int t = 0; t < num_tables_; ++t) keys_[t] = KeyOf(query, index.tables_[t].bits);
   }
 
-  std::vector<Neighbour> Run() {
+  std::vector<Neighbor> Run() {
     CompareAdded();
     const int max_flips = std::min(index_.options_.max_flips, index_.bits_a_key());
     for (int flips = 0; flips <= max_flips; ++flips) {
@@ -77,7 +77,7 @@ class LshIndex::Search {
 
   /// Distance within which a descriptor must be to be kept.
   int FarthestKept() const {
-    return static_cast<int>(nearest_.size()) < k_ ? Neighbour().distance : nearest_.back().distance;
+    return static_cast<int>(nearest_.size()) < k_ ? Neighbor().distance : nearest_.back().distance;
   }
 
   /// Those that are in no table.
@@ -137,10 +137,10 @@ class LshIndex::Search {
   }
 
   /// The same descriptor may come from several tables.
-  void Keep(const Neighbour& neighbour) {
-    const auto place = std::lower_bound(nearest_.begin(), nearest_.end(), neighbour);
-    if (place != nearest_.end() && *place == neighbour) return;
-    nearest_.insert(place, neighbour);
+  void Keep(const Neighbor& neighbor) {
+    const auto place = std::lower_bound(nearest_.begin(), nearest_.end(), neighbor);
+    if (place != nearest_.end() && *place == neighbor) return;
+    nearest_.insert(place, neighbor);
     if (static_cast<int>(nearest_.size()) > k_) nearest_.pop_back();
   }
 
@@ -154,7 +154,7 @@ class LshIndex::Search {
   std::array<std::uint32_t, kMaxCandidates> candidates_;
   std::array<std::uint16_t, kMaxCandidates> distances_;
   int num_candidates_ = 0;
-  std::vector<Neighbour> nearest_;
+  std::vector<Neighbor> nearest_;
 };
 
 LshIndex::LshIndex(const LshIndexOptions& options) : options_(options) { options_.Validate(); }
@@ -225,7 +225,7 @@ int LshIndex::SureDistance(int flips, int tables) const {
   return sure_distances_[flips * options_.num_tables + tables - 1];
 }
 
-std::vector<Neighbour> LshIndex::FindNearest(const Descriptor& query, int k) const {
+std::vector<Neighbor> LshIndex::FindNearest(const Descriptor& query, int k) const {
   if (k < 1) throw Error("k is " + std::to_string(k) + "; allowed is 1 or more");
   return Search(*this, query, k).Run();
 }

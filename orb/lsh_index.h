@@ -35,12 +35,12 @@ struct LshIndexOptions {
 };
 
 /// Descriptor `index` of a set, and how far it is from a query.
-struct Neighbour {
+struct Neighbor {
   int distance = 257;  ///< Bits.
   int index = -1;
 
-  bool operator==(const Neighbour&) const = default;
-  bool operator<(const Neighbour& other) const {
+  bool operator==(const Neighbor&) const = default;
+  bool operator<(const Neighbor& other) const {
     return distance != other.distance ? distance < other.distance : index < other.index;
   }
 };
@@ -68,7 +68,7 @@ class LshIndex {
 
   /// The k nearest found, nearest first; between equal distances the lower index is nearer. There
   /// may be fewer than min(k, size()). Throws corvo::Error unless k is 1 or more.
-  std::vector<Neighbour> FindNearest(const Descriptor& query, int k) const;
+  std::vector<Neighbor> FindNearest(const Descriptor& query, int k) const;
 
   /// Writes a file that Load() reads back the same. Throws corvo::Error where it cannot.
   void Save(const std::filesystem::path& file) const;

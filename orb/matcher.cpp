@@ -25,7 +25,7 @@ void CheckIndex(const char* what, int index, std::size_t size) {
               std::to_string(size));
 }
 
-/// Bin of the change of angle; the first bin is centred on 0.
+/// Bin of the change of angle; the first bin is centered on 0.
 int RotationBin(float query_deg, float train_deg, int bins) {
   const double change = static_cast<double>(train_deg) - query_deg;
   const double turns = (change < 0 ? change + 360.0 : change) / 360.0;
@@ -78,7 +78,7 @@ std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
   return nearest;
 }
 
-std::vector<Match> KeepNear(std::span<const Nearest> nearest, int max_distance) {
+std::vector<Match> DistanceTest(std::span<const Nearest> nearest, int max_distance) {
   std::vector<Match> matches;
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     if (nearest[i].index < 0 || nearest[i].distance > max_distance) continue;
@@ -87,7 +87,7 @@ std::vector<Match> KeepNear(std::span<const Nearest> nearest, int max_distance) 
   return matches;
 }
 
-std::vector<Nearest> KeepDistinct(std::span<const Nearest> nearest, double ratio) {
+std::vector<Nearest> RatioTest(std::span<const Nearest> nearest, double ratio) {
   std::vector<Nearest> kept(nearest.begin(), nearest.end());
   for (Nearest& entry : kept) {
     const bool single = entry.second_index < 0;
@@ -96,7 +96,7 @@ std::vector<Nearest> KeepDistinct(std::span<const Nearest> nearest, double ratio
   return kept;
 }
 
-std::vector<Match> KeepMutual(std::span<const Match> matches,
+std::vector<Match> CrossCheck(std::span<const Match> matches,
                               std::span<const Nearest> nearest_of_train) {
   std::vector<Match> kept;
   for (const Match& match : matches) {

@@ -18,11 +18,11 @@ struct Match {
   bool operator==(const Match&) const = default;
 };
 
-/// Exact two nearest neighbours of every query among all of `train`, in query order.
+/// Exact two nearest neighbors of every query among all of `train`, in query order.
 std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
                                  std::span<const Descriptor> train);
 
-/// Exact two nearest neighbours of `query` among train[candidates[i]]. Candidates are different
+/// Exact two nearest neighbors of `query` among train[candidates[i]]. Candidates are different
 /// indices within `train`, in any order.
 Nearest FindNearestAmong(const Descriptor& query, std::span<const Descriptor> train,
                          std::span<const int> candidates);
@@ -43,17 +43,17 @@ std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
                                           std::span<const Descriptor> train,
                                           const KeypointIndex& train_index);
 
-/// Nearest neighbours at most `max_distance` bits away, as matches in query order.
-std::vector<Match> KeepNear(std::span<const Nearest> nearest, int max_distance);
+/// Nearest neighbors at most `max_distance` bits away, as matches in query order.
+std::vector<Match> DistanceTest(std::span<const Nearest> nearest, int max_distance);
 
 /// Lowe's ratio test, decided in integers where it can be: keeps a query whose distance is below
 /// `ratio` times its second distance, and clears (index -1) all others. A query with a single
 /// candidate is kept.
-std::vector<Nearest> KeepDistinct(std::span<const Nearest> nearest, double ratio);
+std::vector<Nearest> RatioTest(std::span<const Nearest> nearest, double ratio);
 
-/// Keeps matches whose train keypoint has the query as its own nearest neighbour. Throws
+/// Keeps matches whose train keypoint has the query as its own nearest neighbor. Throws
 /// corvo::Error on a match without an entry of `nearest_of_train`.
-std::vector<Match> KeepMutual(std::span<const Match> matches,
+std::vector<Match> CrossCheck(std::span<const Match> matches,
                               std::span<const Nearest> nearest_of_train);
 
 /// Where several queries chose one train keypoint, keeps the nearest (ties: the lowest query).
@@ -61,7 +61,7 @@ std::vector<Match> KeepUnique(std::span<const Match> matches);
 
 /// Keeps the matches whose change of angle, train minus query, lies in one of the three fullest of
 /// `bins` bins around the circle (a bin with less than a tenth of the fullest does not count; ties
-/// go to the lower bin). The first bin is centred on 0. Throws corvo::Error on a match without its
+/// go to the lower bin). The first bin is centered on 0. Throws corvo::Error on a match without its
 /// keypoints and on fewer than 1 bin.
 std::vector<Match> KeepConsistentRotation(std::span<const Match> matches,
                                           std::span<const Keypoint> query_keypoints,

@@ -72,9 +72,9 @@ inline std::vector<Descriptor> FromDescriptorMat(const cv::Mat& rows) {
 }
 
 /// Extractor behind OpenCV's interface, which says what the functions do; made by
-/// CreateFeature2D(). Pictures are 8-bit: grey, BGR or BGRA. As with cv::ORB, given keypoints that
+/// CreateFeature2D(). Images are 8-bit: gray, BGR or BGRA. As with cv::ORB, given keypoints that
 /// cannot be described (Extractor::Describe says which) are removed, and a mask applies to
-/// detection only. An empty picture has no features. Bad input throws cv::Exception, as OpenCV's
+/// detection only. An empty image has no features. Bad input throws cv::Exception, as OpenCV's
 /// own features do. One object may be used by several threads at once.
 class Feature2DAdaptor final : public cv::Feature2D {
  public:
@@ -84,9 +84,9 @@ class Feature2DAdaptor final : public cv::Feature2D {
                         std::vector<cv::KeyPoint>& keypoints, cv::OutputArray descriptors,
                         bool use_provided_keypoints = false) override {
     try {
-      const cv::Mat grey = ToGrey(image.getMat());
+      const cv::Mat gray = ToGray(image.getMat());
       const Features features =
-          use_provided_keypoints ? Describe(grey, keypoints) : Detect(grey, mask, keypoints);
+          use_provided_keypoints ? Describe(gray, keypoints) : Detect(gray, mask, keypoints);
       if (!descriptors.needed()) return;
       ToDescriptorMat(features.descriptors).copyTo(descriptors);
     } catch (const Error& error) {
@@ -101,32 +101,32 @@ class Feature2DAdaptor final : public cv::Feature2D {
   cv::String getDefaultName() const override { return "Feature2D.corvo"; }
 
  private:
-  static cv::Mat ToGrey(const cv::Mat& image) {
+  static cv::Mat ToGray(const cv::Mat& image) {
     if (image.empty() || image.type() == CV_8UC1) return image;
-    cv::Mat grey;
+    cv::Mat gray;
     if (image.type() == CV_8UC3) {
-      cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+      cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
     } else if (image.type() == CV_8UC4) {
-      cv::cvtColor(image, grey, cv::COLOR_BGRA2GRAY);
+      cv::cvtColor(image, gray, cv::COLOR_BGRA2GRAY);
     } else {
       throw Error("image has OpenCV type " + std::to_string(image.type()) +
-                  "; allowed is 8-bit grey (CV_8UC1), BGR (CV_8UC3) or BGRA (CV_8UC4)");
+                  "; allowed is 8-bit gray (CV_8UC1), BGR (CV_8UC3) or BGRA (CV_8UC4)");
     }
-    return grey;
+    return gray;
   }
 
-  Features Detect(const cv::Mat& grey, cv::InputArray mask,
+  Features Detect(const cv::Mat& gray, cv::InputArray mask,
                   std::vector<cv::KeyPoint>& keypoints) const {
     Features features;
-    if (!grey.empty()) features = extractor_.Extract(grey, mask.getMat());
+    if (!gray.empty()) features = extractor_.Extract(gray, mask.getMat());
     keypoints = ToKeyPoints(features.keypoints, extractor_.octave_scales());
     return features;
   }
 
   /// Keeps what it can describe of `keypoints`, in their order.
-  Features Describe(const cv::Mat& grey, std::vector<cv::KeyPoint>& keypoints) const {
+  Features Describe(const cv::Mat& gray, std::vector<cv::KeyPoint>& keypoints) const {
     DescribedKeypoints described;
-    if (!grey.empty()) described = extractor_.Describe(grey, FromKeyPoints(keypoints));
+    if (!gray.empty()) described = extractor_.Describe(gray, FromKeyPoints(keypoints));
     std::vector<cv::KeyPoint> kept;
     for (std::size_t i = 0; i < described.indices.size(); ++i) {
       kept.push_back(keypoints[described.indices[i]]);
@@ -146,7 +146,7 @@ inline cv::Ptr<cv::Feature2D> CreateFeature2D(const ExtractorOptions& options, i
 }
 
 /// As cv::ORB::create(num_features), with corvo's defaults: keypoints spread over a grid. 0 stands
-/// for 1000, or 2000 for pictures at least 1000 px wide.
+/// for 1000, or 2000 for images at least 1000 px wide.
 inline cv::Ptr<cv::Feature2D> CreateFeature2D(int num_features = 0) {
   ExtractorOptions options;
   options.num_features = num_features;

@@ -42,7 +42,7 @@ struct ExtractorOptions {
           "keypoints an image; 0: 1000, or 2000 for images at least 1000 px wide");
     field("num_levels", self.num_levels, 1, 32, "levels of the image pyramid");
     field("scale_factor", self.scale_factor, 1.01, 4.0, "ratio of one level's size to the next");
-    field("fast_threshold", self.fast_threshold, 1, 254, "FAST threshold, grey levels");
+    field("fast_threshold", self.fast_threshold, 1, 254, "FAST threshold, gray levels");
     field("min_fast_threshold", self.min_fast_threshold, 1, 254,
           "FAST threshold of cells that are short of corners; at most fast_threshold");
     field("ranking", self.ranking, "what ranks corners: fast (score) or harris (response)");

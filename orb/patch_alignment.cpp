@@ -14,7 +14,7 @@ using kernels::kFitSide;
 constexpr int kWindowRadius = kFitSide / 2;  // The window's pixels: -4 to 3 from the middle.
 constexpr int kTemplateSide = kFitSide + 2;  // With a rim, for derivatives.
 
-/// Grey value between pixels; (x, y) from the middle, inside the patch.
+/// Gray value between pixels; (x, y) from the middle, inside the patch.
 float Interpolate(const Patch& patch, float x, float y) {
   const float column = x + Patch::kRadius, row = y + Patch::kRadius;
   const int left = static_cast<int>(column), top = static_cast<int>(row);
@@ -45,11 +45,11 @@ float Dot(const float* a, const float* b) {
   return sum;
 }
 
-/// What is looked for: grey values and derivatives, each with mean 0, and their products.
+/// What is looked for: gray values and derivatives, each with mean 0, and their products.
 struct Template {
   kernels::FitTemplate window;
   float xx = 0, xy = 0, yy = 0;
-  float grey_x = 0, grey_y = 0, grey_grey = 0;
+  float gray_x = 0, gray_y = 0, gray_gray = 0;
 };
 
 /// The reference through the warp, with a rim of one pixel.
@@ -71,17 +71,17 @@ Template MakeTemplate(const Patch& reference, const PatchWarp& warp) {
   kernels::FitTemplate& window = result.window;
   for (int i = 0; i < kFitPixels; ++i) {
     const float* p = warped.data() + (i / kFitSide + 1) * kTemplateSide + i % kFitSide + 1;
-    window.grey[i] = *p;
+    window.gray[i] = *p;
     window.by_x[i] = 0.5F * (p[1] - p[-1]);
     window.by_y[i] = 0.5F * (p[kTemplateSide] - p[-kTemplateSide]);
   }
-  for (float* values : {window.grey, window.by_x, window.by_y}) SubtractMean(values);
+  for (float* values : {window.gray, window.by_x, window.by_y}) SubtractMean(values);
   result.xx = Dot(window.by_x, window.by_x);
   result.xy = Dot(window.by_x, window.by_y);
   result.yy = Dot(window.by_y, window.by_y);
-  result.grey_x = Dot(window.grey, window.by_x);
-  result.grey_y = Dot(window.grey, window.by_y);
-  result.grey_grey = Dot(window.grey, window.grey);
+  result.gray_x = Dot(window.gray, window.by_x);
+  result.gray_y = Dot(window.gray, window.by_y);
+  result.gray_gray = Dot(window.gray, window.gray);
   return result;
 }
 
@@ -94,9 +94,9 @@ kernels::WindowPlace PlaceAt(const Patch& target, float x, float y) {
           column - static_cast<float>(left), row - static_cast<float>(top)};
 }
 
-float Correlation(const kernels::WindowFit& fit, float grey_grey) {
+float Correlation(const kernels::WindowFit& fit, float gray_gray) {
   const float squares = fit.squares - fit.sum * fit.sum / kFitPixels;
-  return squares > 0 ? fit.with_grey / std::sqrt(squares * grey_grey) : 0;
+  return squares > 0 ? fit.with_gray / std::sqrt(squares * gray_gray) : 0;
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::optional<PatchAlignment> AlignPatch(const Patch& reference, const Patch& ta
   constexpr float kMaxShift = 3;
   constexpr float kAtRest = 0.02F;
   constexpr float kMinGain = 0.1F;
-  constexpr float kMinTexture = kFitPixels;  // In the weaker direction: one grey level a pixel.
+  constexpr float kMinTexture = kFitPixels;  // In the weaker direction: one gray level a pixel.
   if (!Reaches(reference_from_target, kWindowRadius + 1)) return std::nullopt;
   const Template wanted = MakeTemplate(reference, reference_from_target);
   const float determinant = wanted.xx * wanted.yy - wanted.xy * wanted.xy;
@@ -115,15 +115,15 @@ std::optional<PatchAlignment> AlignPatch(const Patch& reference, const Patch& ta
   PatchAlignment at;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const kernels::WindowFit fit = kernels::FitWindow(PlaceAt(target, at.x, at.y), wanted.window);
-    const float gain = fit.with_grey / wanted.grey_grey;
+    const float gain = fit.with_gray / wanted.gray_gray;
     if (!(gain > kMinGain)) return std::nullopt;
-    const float error_x = fit.with_x / gain - wanted.grey_x;
-    const float error_y = fit.with_y / gain - wanted.grey_y;
+    const float error_x = fit.with_x / gain - wanted.gray_x;
+    const float error_y = fit.with_y / gain - wanted.gray_y;
     const float step_x = (wanted.yy * error_x - wanted.xy * error_y) / determinant;
     const float step_y = (wanted.xx * error_y - wanted.xy * error_x) / determinant;
     at.x -= step_x;
     at.y -= step_y;
-    at.correlation = Correlation(fit, wanted.grey_grey);
+    at.correlation = Correlation(fit, wanted.gray_gray);
     if (!(std::abs(at.x) < kMaxShift && std::abs(at.y) < kMaxShift)) return std::nullopt;
     if (std::abs(step_x) < kAtRest && std::abs(step_y) < kAtRest) return at;
   }

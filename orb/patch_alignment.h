@@ -18,7 +18,7 @@ struct PatchAlignment {
   float correlation = 0;  ///< Of the two patches there, -1 to 1.
 };
 
-/// Where in `target` the middle of `reference` lies: the shift of an 8x8 window that minimises
+/// Where in `target` the middle of `reference` lies: the shift of an 8x8 window that minimizes
 ///
 ///     sum over u of (I(u + shift) - g T(u) - b)²,   T(u) = reference(reference_from_target * u),
 ///

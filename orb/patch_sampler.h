@@ -13,7 +13,7 @@
 
 namespace corvo::orb {
 
-/// Where a test's windows may have their centres: within kMaxOffset of the keypoint, row by row.
+/// Where a test's windows may have their centers: within kMaxOffset of the keypoint, row by row.
 inline constexpr int kNumPositions = (2 * kMaxOffset + 1) * (2 * kMaxOffset + 1);
 
 /// `position` is in [0, kNumPositions).

@@ -8,7 +8,7 @@ namespace corvo::orb {
 
 inline constexpr int kNumTests = 256;    ///< Bits of a descriptor.
 inline constexpr int kWindowRadius = 2;  ///< A test compares sums over 5x5 windows.
-inline constexpr int kMaxOffset = 13;    ///< Of a window's centre: windows fill the 31x31 patch.
+inline constexpr int kMaxOffset = 13;    ///< Of a window's center: windows fill the 31x31 patch.
 
 /// A pixel relative to the keypoint, px of its level.
 struct Offset {

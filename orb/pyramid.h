@@ -9,7 +9,7 @@
 
 namespace corvo::orb {
 
-/// One level of an image pyramid. A pixel (x, y) of the level has its centre in the input image at
+/// One level of an image pyramid. A pixel (x, y) of the level has its center in the input image at
 ///
 ///     ((x + 0.5) * ratio_x - 0.5, (y + 0.5) * ratio_y - 0.5),
 ///

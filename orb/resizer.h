@@ -10,7 +10,7 @@
 
 namespace corvo::orb {
 
-/// Bilinear interpolation of 8-bit images of one size at the pixel centres of another, with weights
+/// Bilinear interpolation of 8-bit images of one size at the pixel centers of another, with weights
 /// of 1/128 px and one exact rounding at the end. It commutes with mirroring and with rotation by
 /// 90 degrees, bit for bit. Meant for shrinking by up to 2: beyond that it skips pixels.
 class Resizer {

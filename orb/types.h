@@ -6,7 +6,7 @@
 
 namespace corvo::orb {
 
-/// An oriented FAST corner. Integer coordinates are pixel centres.
+/// An oriented FAST corner. Integer coordinates are pixel centers.
 struct Keypoint {
   float x = 0;          ///< Column in the input image (level 0), px.
   float y = 0;          ///< Row in the input image (level 0), px.

@@ -8,7 +8,7 @@
 
 namespace corvo::orb {
 
-/// Sums over the 5x5 window centred at each pixel, 16-bit, one channel; the outer 2 px are 0.
+/// Sums over the 5x5 window centered at each pixel, 16-bit, one channel; the outer 2 px are 0.
 /// `image` is 8-bit, one channel.
 cv::Mat WindowSums(const cv::Mat& image);
 

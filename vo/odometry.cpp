@@ -63,13 +63,13 @@ void Odometry::Reset() {
   recorder_ = std::move(recorder);
 }
 
-void Odometry::VisitKeyframes(const SightingsSink& visit) const {
-  for (const KeyframeId id : map_.ActiveKeyframes()) visit(SightingsOf(map_.keyframe(id), map_));
+void Odometry::VisitKeyframes(const ObservationCallback& visit) const {
+  for (const KeyframeId id : map_.ActiveKeyframes()) visit(ObservationsOf(map_.keyframe(id), map_));
 }
 
 MemoryUse Odometry::memory_use() const {
   return {map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_),
-          map_.place_bytes(), history_.num_bytes()};
+          map_.keyframe_bytes(), history_.num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {

@@ -68,13 +68,17 @@ class Odometry {
   const Map& map() const { return map_; }
 
   /// Calls `sink` with each landmark that leaves the map from now on, to go nowhere else.
-  void SetLandmarkSink(LandmarkSink sink) { recorder_.SetLandmarkSink(std::move(sink)); }
+  void SetLandmarkCallback(LandmarkCallback sink) {
+    recorder_.SetLandmarkCallback(std::move(sink));
+  }
 
   /// Calls `sink` with what each frame observed, from now on. See vo/offline/refiner.h.
-  void SetSightingsSink(SightingsSink sink) { recorder_.SetSightingsSink(std::move(sink)); }
+  void SetObservationCallback(ObservationCallback sink) {
+    recorder_.SetObservationCallback(std::move(sink));
+  }
 
   /// Calls `visit` with what every active keyframe observes.
-  void VisitKeyframes(const SightingsSink& visit) const;
+  void VisitKeyframes(const ObservationCallback& visit) const;
 
   MemoryUse memory_use() const;
 
@@ -89,7 +93,7 @@ class Odometry {
   /// What was given; nothing is free where `calibration.enabled` is false.
   const CameraPrior& camera_prior() const { return mapper_.adjuster().camera_prior(); }
   /// The images do not fit the given camera within its sigmas: it is used as it was given.
-  bool contradicts_given_camera() const { return mapper_.adjuster().contradicts_given_camera(); }
+  bool prior_rejected() const { return mapper_.adjuster().prior_rejected(); }
   const OdometryOptions& options() const { return options_; }
 
   /// Of the frame processed last.

@@ -12,9 +12,9 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/output/candidate_report.h"
+#include "apps/output/observation_spool.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/residual_plot.h"
-#include "apps/output/sightings_spool.h"
 #include "apps/run/focal_start.h"
 #include "apps/run/interruption.h"
 #include "apps/run/odometry_pass.h"
@@ -37,7 +37,7 @@ constexpr const char* kFooter =
 sweep over fields of view; then the odometry runs over each input, all of them are adjusted together,
 and both again while the focal length changes by more than 1%. Of the models, the simplest is taken
 that the Bayesian information criterion does not clearly reject. The camera file has the standard
-deviations; beside it a picture shows what is left over.
+deviations; beside it an image shows what is left over.
 
 Examples:
   corvo calibrate drive.mp4 -o camera.yaml
@@ -61,8 +61,8 @@ std::vector<ImageOpener> Openers(const CalibrateArguments& arguments) {
   std::vector<ImageOpener> openers;
   for (const fs::path& input : arguments.inputs) {
     if (IsLiveInput(input.string())) {
-      throw Error(fmt::format(
-          "{}: is a live camera, whose pictures come but once; give a recording", input.string()));
+      throw Error(fmt::format("{}: is a live camera, whose images come but once; give a recording",
+                              input.string()));
     }
     openers.emplace_back([input, &arguments] {
       return OpenImages(input.string(), arguments.frame_rate_hz, kDefaultFrameRateHz,
@@ -73,9 +73,9 @@ std::vector<ImageOpener> Openers(const CalibrateArguments& arguments) {
 }
 
 /// The models that are tried.
-std::vector<CameraDescription> Descriptions(const std::string& model) {
-  std::vector<CameraDescription> descriptions;
-  for (const CameraDescription description : AllCameraDescriptions()) {
+std::vector<CalibrationModel> Descriptions(const std::string& model) {
+  std::vector<CalibrationModel> descriptions;
+  for (const CalibrationModel description : AllCalibrationModels()) {
     if (model.empty() || ToString(description) == model) descriptions.push_back(description);
   }
   return descriptions;
@@ -93,16 +93,16 @@ class Calibration {
     constexpr int kMaxRounds = 4;
     constexpr double kSameFocal = 0.01;
     // While the tracks change, one model is enough.
-    const CameraDescription first =
-        descriptions_.size() == 1 ? descriptions_.front() : CameraDescription::kRadtan;
+    const CalibrationModel first =
+        descriptions_.size() == 1 ? descriptions_.front() : CalibrationModel::kRadtan;
     CameraPrior prior = FindFocalLength(openers_, interruption_);
     for (int round = 1;; ++round) {
       const std::vector<Bundle> bundles = TrackAll(prior, round);
       if (bundles.empty()) return {};
       const CameraCandidate candidate = Adjust(first, Camera(prior.given), bundles);
-      const bool is_lowered = candidate.adjustment.outcome == AdjustmentOutcome::kLowered;
+      const bool is_improved = candidate.adjustment.outcome == AdjustmentOutcome::kImproved;
       const double change = std::log(candidate.adjustment.camera.fx / prior.given.fx);
-      if (!is_lowered || round == kMaxRounds || std::abs(change) < kSameFocal) {
+      if (!is_improved || round == kMaxRounds || std::abs(change) < kSameFocal) {
         return AdjustAll(candidate, bundles);
       }
       prior = {candidate.adjustment.camera, EstimatedSigma(candidate)};
@@ -125,14 +125,14 @@ class Calibration {
     const cv::Size size(prior.given.width, prior.given.height);
     source.Prepare({size, size, MaskSource()});
     Odometry odometry(prior, {}, threads_);
-    SightingsSpool spool;
-    odometry.SetSightingsSink([&](const FrameSightings& frame) { spool.Add(frame); });
+    ObservationSpool spool;
+    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
     PassThrough(std::move(source), text, interruption_, odometry);
-    const auto replay = [&](const SightingsSink& visit) { spool.ForEach(visit); };
+    const auto replay = [&](const ObservationCallback& visit) { spool.ForEach(visit); };
     return SequenceRecord(odometry, replay, {}).MakeBundles();
   }
 
-  CameraCandidate Adjust(CameraDescription description, const Camera& start,
+  CameraCandidate Adjust(CalibrationModel description, const Camera& start,
                          const std::vector<Bundle>& bundles) const {
     ProgressLine line;
     CameraCandidate candidate = AdjustCandidate(description, start, bundles, [&](double share) {
@@ -146,7 +146,7 @@ class Calibration {
   std::vector<CameraCandidate> AdjustAll(const CameraCandidate& first,
                                          const std::vector<Bundle>& bundles) const {
     std::vector<CameraCandidate> candidates;
-    for (const CameraDescription description : descriptions_) {
+    for (const CalibrationModel description : descriptions_) {
       candidates.push_back(description == first.description
                                ? first
                                : Adjust(description, Camera(first.prior.given), bundles));
@@ -157,20 +157,20 @@ class Calibration {
   Interruption interruption_;
   std::vector<ImageOpener> openers_;
   int threads_;
-  std::vector<CameraDescription> descriptions_;
+  std::vector<CalibrationModel> descriptions_;
 };
 
 void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
   const Camera camera(candidate.adjustment.camera);
   const std::string name = file.filename().string();
-  const std::string picture = file.stem().string() + "_residuals.png";
+  const std::string image = file.stem().string() + "_residuals.png";
   OutputFolder output(fs::absolute(file).parent_path());
   output.Write(name, WriteCameraFile(
                          {camera, {}, "estimated by corvo calibrate", EstimatedSigma(candidate)}));
-  if (!DrawResiduals(camera, candidate.bundles, output.Stage(picture))) {
-    spdlog::warn("no {}: gnuplot is missing or failed (Debian: gnuplot-nox)", picture);
+  if (!DrawResiduals(camera, candidate.bundles, output.Stage(image))) {
+    spdlog::warn("no {}: gnuplot is missing or failed (Debian: gnuplot-nox)", image);
   }
-  output.Commit({picture, name});
+  output.Commit({image, name});
 }
 
 int Calibrate(const CalibrateArguments& arguments) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/former_option.h"
 #include "apps/dataset/frame_selection.h"
 #include "apps/output/evaluation_report.h"
 #include "apps/output/plot.h"
@@ -32,16 +33,16 @@ by the calibration beside it. Two KITTI files are compared row by row. --align s
 trajectories. ATE and RPE are those of evo:
   evo_ape tum GT EST -as
   evo_rpe tum GT EST -as -d 1 -u f --all_pairs              # --rpe-frames 1
-  evo_rpe tum GT EST -as -d 1 -u m --pairs_from_reference   # --rpe-metres 1)";
+  evo_rpe tum GT EST -as -d 1 -u m --pairs_from_reference   # --rpe-meters 1)";
 
 struct EvalArguments {
   EvalFiles files;
-  std::filesystem::path picture;
+  std::filesystem::path image;
   std::filesystem::path frames;  ///< Empty: the frames.csv beside the estimate.
   FrameSelection selection;
   std::string alignment = "sim3";
   std::optional<double> max_dt_s;
-  std::optional<double> rpe_metres;
+  std::optional<double> rpe_meters;
   int rpe_frames = 1;
   double rpe_seconds = 1;
   bool json = false;
@@ -55,7 +56,7 @@ EvaluationOptions MakeOptions(const EvalArguments& arguments) {
   if (arguments.max_dt_s) options.max_dt_ns = Nanoseconds(*arguments.max_dt_s);
   options.relative_delta_frames = arguments.rpe_frames;
   options.relative_delta_ns = Nanoseconds(arguments.rpe_seconds);
-  options.relative_delta_path = arguments.rpe_metres;
+  options.relative_delta_path = arguments.rpe_meters;
   return options;
 }
 
@@ -86,10 +87,10 @@ void Eval(const EvalArguments& arguments) {
   const EvalInputs inputs = ReadInputs(arguments);
   const Evaluation evaluation = Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
   PrintReport(arguments, inputs, evaluation);
-  if (arguments.picture.empty()) return;
+  if (arguments.image.empty()) return;
   const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
-  if (!DrawTrajectory({{aligned}, inputs.truth}, arguments.picture)) {
-    spdlog::warn("no {}: gnuplot is missing or failed", arguments.picture.string());
+  if (!DrawTrajectory({{aligned}, inputs.truth}, arguments.image)) {
+    spdlog::warn("no {}: gnuplot is missing or failed", arguments.image.string());
   }
 }
 
@@ -129,9 +130,10 @@ void AddMeasureOptions(CLI::App& command, EvalArguments& arguments) {
       ->check(CLI::Range(1e-9, 1e6))
       ->capture_default_str();
   command
-      .add_option("--rpe-metres", arguments.rpe_metres,
+      .add_option("--rpe-meters", arguments.rpe_meters,
                   "length of the true path that a third spans, in the truth's unit (default: none)")
       ->check(CLI::Range(1e-9, 1e9));
+  AddFormerOption(command, "--rpe-metres", "is now --rpe-meters");
 }
 
 }  // namespace
@@ -142,7 +144,7 @@ void AddEvalCommand(CLI::App& app) {
   AddInputOptions(*command, *arguments);
   AddMeasureOptions(*command, *arguments);
   command->add_flag("--json", arguments->json, "print JSON");
-  command->add_option("--plot", arguments->picture, "draw both as PNG");
+  command->add_option("--plot", arguments->image, "draw both as PNG");
   command->footer(kFooter);
   command->callback([arguments] { Eval(*arguments); });
 }

@@ -20,12 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(For each picture NAME.png it writes NAME_features.png, the picture with its keypoints (a circle that
-grows with the octave, a line in the keypoint's direction, a colour an octave), and
+    R"(For each image NAME.png it writes NAME_features.png, the image with its keypoints (a circle that
+grows with the octave, a line in the keypoint's direction, a color an octave), and
 NAME_features.csv: x, y (px), octave, angle (degrees), response and descriptor (hexadecimal).
 
 Examples:
-  corvo features picture.png -o features
+  corvo features image.png -o features
   corvo features *.png -o features --config configs/orb_2011.yaml)";
 
 struct FeaturesArguments {
@@ -34,10 +34,10 @@ struct FeaturesArguments {
   fs::path config;
 };
 
-/// Of both files of a picture.
+/// Of both files of an image.
 std::string ResultName(const fs::path& image) { return image.stem().string() + "_features"; }
 
-/// Throws where the results of two pictures would have the same name.
+/// Throws where the results of two images would have the same name.
 void CheckNames(const std::vector<fs::path>& images) {
   for (auto image = images.begin(); image != images.end(); ++image) {
     const auto twin = std::find_if(images.begin(), image, [&](const fs::path& other) {
@@ -49,13 +49,13 @@ void CheckNames(const std::vector<fs::path>& images) {
   }
 }
 
-/// Writes the results of one picture and describes them in a line.
-std::string ExtractPicture(const fs::path& file, const orb::Extractor& extractor,
-                           const OutputFolder& output) {
-  const cv::Mat image = ReadGreyImage(file);
+/// Writes the results of one image and describes them in a line.
+std::string ExtractImage(const fs::path& file, const orb::Extractor& extractor,
+                         const OutputFolder& output) {
+  const cv::Mat image = ReadGrayImage(file);
   const orb::Features features = extractor.Extract(image);
   output.Write(ResultName(file) + ".csv", FeatureTable(features));
-  WritePicture(DrawFeatures(image, features, extractor), ResultName(file) + ".png", output);
+  WriteImage(DrawFeatures(image, features, extractor), ResultName(file) + ".png", output);
   return fmt::format("{}: {} features\n", file.string(), features.keypoints.size());
 }
 
@@ -69,7 +69,7 @@ void ExtractFeatures(const FeaturesArguments& arguments) {
   std::vector<std::string> names = {"config.yaml"};
   std::string text;
   for (const fs::path& image : arguments.images) {
-    text += ExtractPicture(image, extractor, output);
+    text += ExtractImage(image, extractor, output);
     names.push_back(ResultName(image) + ".csv");
     names.push_back(ResultName(image) + ".png");
   }
@@ -80,9 +80,9 @@ void ExtractFeatures(const FeaturesArguments& arguments) {
 }  // namespace
 
 void AddFeaturesCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("features", "Extract the features of pictures");
+  CLI::App* command = app.add_subcommand("features", "Extract the features of images");
   const auto arguments = std::make_shared<FeaturesArguments>();
-  command->add_option("IMAGE", arguments->images, "pictures")->required();
+  command->add_option("IMAGE", arguments->images, "images")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
   command->footer(kFooter);

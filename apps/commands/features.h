@@ -4,7 +4,7 @@
 
 namespace corvo {
 
-/// `corvo features IMAGE... -o DIR`: the features of pictures, drawn and as tables. Its callback
+/// `corvo features IMAGE... -o DIR`: the features of images, drawn and as tables. Its callback
 /// throws corvo::Error.
 void AddFeaturesCommand(CLI::App& app);
 

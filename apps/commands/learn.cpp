@@ -28,10 +28,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(Keypoints of the pictures are looked for again in synthetic views of them; chosen are 256 tests that
+    R"(Keypoints of the images are looked for again in synthetic views of them; chosen are 256 tests that
 tell views of one keypoint from other keypoints and correlate little (Rublee et al., "ORB: an
 efficient alternative to SIFT or SURF", ICCV 2011, section 4.3, with the views added). The order of
-the pictures does not matter. 300,000 keypoints take 0.9 GB. The options' extractor.pattern takes the
+the images does not matter. 300,000 keypoints take 0.9 GB. The options' extractor.pattern takes the
 file written.
 
 Examples:
@@ -47,18 +47,18 @@ struct LearnArguments {
   int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
 };
 
-/// The pictures, those of folders too, in the order of their names.
-std::vector<fs::path> ListPictures(const std::vector<fs::path>& images) {
-  std::vector<fs::path> pictures;
-  for (const fs::path& image : images) {
-    if (!fs::is_directory(image)) {
-      pictures.push_back(image);
+/// The images, those of folders too, in the order of their names.
+std::vector<fs::path> ListTrainingImages(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> images;
+  for (const fs::path& path : paths) {
+    if (!fs::is_directory(path)) {
+      images.push_back(path);
       continue;
     }
-    for (const TimedFile& file : ListImages(image, 1).images) pictures.push_back(file.file);
+    for (const TimedFile& file : ListImages(path, 1).images) images.push_back(file.file);
   }
-  std::sort(pictures.begin(), pictures.end());
-  return pictures;
+  std::sort(images.begin(), images.end());
+  return images;
 }
 
 /// Tells on standard error how far the learning is: on a terminal a bar, else a line a stage.
@@ -86,22 +86,22 @@ class LearningReport {
   std::string stage_;
 };
 
-/// Samples pictures [begin, end) in parallel, each in its view of this round.
-std::vector<TrainingPairs> SamplePictures(const std::vector<fs::path>& pictures, int begin, int end,
-                                          int round, const TrainingPairSampler& sampler,
-                                          orb::Workers& workers) {
+/// Samples images [begin, end) in parallel, each in its view of this round.
+std::vector<TrainingPairs> SampleImages(const std::vector<fs::path>& images, int begin, int end,
+                                        int round, const TrainingPairSampler& sampler,
+                                        orb::Workers& workers) {
   std::vector<TrainingPairs> pairs(end - begin);
   workers.ForEach(end - begin, [&](int i) {
-    const cv::Mat picture = ReadGreyImage(pictures[begin + i]);
-    pairs[i] = sampler.Sample(picture, synthetic::Hash(0, round, begin + i));
+    const cv::Mat image = ReadGrayImage(images[begin + i]);
+    pairs[i] = sampler.Sample(image, synthetic::Hash(0, round, begin + i));
   });
   return pairs;
 }
 
-/// Goes through the pictures, each time with another view of each, until there are as many
+/// Goes through the images, each time with another view of each, until there are as many
 /// keypoints as wanted.
 orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
-                                 const std::vector<fs::path>& pictures, LearningReport& report) {
+                                 const std::vector<fs::path>& images, LearningReport& report) {
   constexpr int kMaxRounds = 20;
   constexpr int kBatch = 16;
   const OdometryOptions options =
@@ -109,12 +109,12 @@ orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
   const TrainingPairSampler sampler(options.extractor);
   orb::Workers workers(arguments.threads);
   orb::TrainingSet training(arguments.num_keypoints);
-  const int num_pictures = static_cast<int>(pictures.size());
+  const int num_images = static_cast<int>(images.size());
   for (int round = 0; round < kMaxRounds; ++round) {
-    for (int begin = 0; begin < num_pictures && !training.is_full(); begin += kBatch) {
-      const int end = std::min(begin + kBatch, num_pictures);
+    for (int begin = 0; begin < num_images && !training.is_full(); begin += kBatch) {
+      const int end = std::min(begin + kBatch, num_images);
       for (const auto& [first, second] :
-           SamplePictures(pictures, begin, end, round, sampler, workers)) {
+           SampleImages(images, begin, end, round, sampler, workers)) {
         training.Add(first, second);
       }
       report.ShowSampling(round, training.size(), arguments.num_keypoints);
@@ -123,10 +123,10 @@ orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
   return training;
 }
 
-std::string FileText(const LearnArguments& arguments, int num_pictures, int num_keypoints,
+std::string FileText(const LearnArguments& arguments, int num_images, int num_keypoints,
                      const orb::LearningResult& result) {
   std::string text = fmt::format(
-      "// Binary tests of 5x5 windows, learned by corvo learn from {} pictures:\n", num_pictures);
+      "// Binary tests of 5x5 windows, learned by corvo learn from {} images:\n", num_images);
   if (!arguments.source.empty()) text += fmt::format("// {}\n", arguments.source);
   text += fmt::format(
       "// {} keypoints, each in two views. Correlation of two tests: at most {:.2f}.\n"
@@ -140,33 +140,32 @@ void Learn(const LearnArguments& arguments) {
   if (arguments.source.find_first_of("\r\n\\") != std::string::npos) {
     throw Error("--source must be one line, without backslashes");
   }
-  const std::vector<fs::path> pictures = ListPictures(arguments.images);
+  const std::vector<fs::path> images = ListTrainingImages(arguments.images);
   LearningReport report;
-  const orb::TrainingSet training = SampleKeypoints(arguments, pictures, report);
+  const orb::TrainingSet training = SampleKeypoints(arguments, images, report);
   const orb::LearningResult result = orb::LearnPattern(
       training, arguments.threads,
       [&](const orb::SelectionProgress& progress) { report.ShowSelection(progress); });
   OutputFolder output(fs::absolute(arguments.output).parent_path());
   const std::string name = arguments.output.filename().string();
-  output.Write(name,
-               FileText(arguments, static_cast<int>(pictures.size()), training.size(), result));
+  output.Write(name, FileText(arguments, static_cast<int>(images.size()), training.size(), result));
   output.Commit({name});
-  fmt::print("{}: {} tests from {} keypoints of {} pictures\n", arguments.output.string(),
-             orb::kNumTests, training.size(), pictures.size());
+  fmt::print("{}: {} tests from {} keypoints of {} images\n", arguments.output.string(),
+             orb::kNumTests, training.size(), images.size());
 }
 
 }  // namespace
 
 void AddLearnCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("learn", "Learn the descriptors' tests from pictures");
+  CLI::App* command = app.add_subcommand("learn", "Learn the descriptors' tests from images");
   const auto arguments = std::make_shared<LearnArguments>();
-  command->add_option("IMAGE", arguments->images, "pictures, or folders of them")->required();
+  command->add_option("IMAGE", arguments->images, "images, or folders of them")->required();
   command->add_option("-o,--output", arguments->output, "file for the pattern")->required();
   command->add_option("--keypoints", arguments->num_keypoints, "to learn from, at most")
       ->check(CLI::Range(orb::kMinTrainingSize, 1000000))
       ->capture_default_str();
   command->add_option("--source", arguments->source,
-                      "where the pictures come from, for the file's comment");
+                      "where the images come from, for the file's comment");
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
   command
       ->add_option("--threads", arguments->threads,

@@ -4,7 +4,7 @@
 
 namespace corvo {
 
-/// `corvo learn IMAGE... -o PATTERN`: the binary tests of descriptors, learned from pictures. Its
+/// `corvo learn IMAGE... -o PATTERN`: the binary tests of descriptors, learned from images. Its
 /// callback throws corvo::Error.
 void AddLearnCommand(CLI::App& app);
 

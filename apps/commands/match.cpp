@@ -8,7 +8,7 @@
 
 #include "apps/dataset/image_source.h"
 #include "apps/output/features_output.h"
-#include "apps/output/match_pictures.h"
+#include "apps/output/match_images.h"
 #include "apps/output/output_folder.h"
 #include "vo/io/config.h"
 
@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(Matches are mutual nearest neighbours that pass the options' matching.max_tracking_distance and
-tracker.max_ratio. Written are matches.png, both pictures with the matches (green where they agree
+    R"(Matches are mutual nearest neighbors that pass the options' matching.max_tracking_distance and
+tracker.max_ratio. Written are matches.png, both images with the matches (green where they agree
 with one homography, else red), matches.csv, and where there is one homography.txt, row by row, which
 takes pixels of A to pixels of B.
 
@@ -39,40 +39,40 @@ std::string HomographyText(const cv::Matx33d& h) {
                      h(1, 2), h(2, 0), h(2, 1), h(2, 2));
 }
 
-std::string SummaryText(const MatchArguments& arguments, const PictureMatches& pictures) {
+std::string SummaryText(const MatchArguments& arguments, const ImageMatches& images) {
   return fmt::format("{}: {} features\n{}: {} features\n{} matches, {} agree with a homography\n",
-                     arguments.first.string(), pictures.first.keypoints.size(),
-                     arguments.second.string(), pictures.second.keypoints.size(),
-                     pictures.matches.size(), pictures.num_inliers);
+                     arguments.first.string(), images.first.keypoints.size(),
+                     arguments.second.string(), images.second.keypoints.size(),
+                     images.matches.size(), images.num_inliers);
 }
 
 void Match(const MatchArguments& arguments) {
   const OdometryOptions options =
       arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
-  const cv::Mat first = ReadGreyImage(arguments.first);
-  const cv::Mat second = ReadGreyImage(arguments.second);
+  const cv::Mat first = ReadGrayImage(arguments.first);
+  const cv::Mat second = ReadGrayImage(arguments.second);
   const orb::Extractor extractor(options.extractor);
-  const PictureMatches pictures =
-      MatchPictures(extractor.Extract(first), extractor.Extract(second),
-                    options.matching.max_tracking_distance, options.tracker.max_ratio);
+  const ImageMatches images =
+      MatchImages(extractor.Extract(first), extractor.Extract(second),
+                  options.matching.max_tracking_distance, options.tracker.max_ratio);
   OutputFolder output(arguments.output);
   output.Write("config.yaml", WriteOptions(options));
-  output.Write("matches.csv", MatchTable(pictures));
-  if (pictures.second_from_first) {
-    output.Write("homography.txt", HomographyText(*pictures.second_from_first));
+  output.Write("matches.csv", MatchTable(images));
+  if (images.second_from_first) {
+    output.Write("homography.txt", HomographyText(*images.second_from_first));
   }
-  WritePicture(DrawMatches(first, second, pictures), "matches.png", output);
+  WriteImage(DrawMatches(first, second, images), "matches.png", output);
   output.Commit({"config.yaml", "matches.csv", "homography.txt", "matches.png"});
-  fmt::print("{}", SummaryText(arguments, pictures));
+  fmt::print("{}", SummaryText(arguments, images));
 }
 
 }  // namespace
 
 void AddMatchCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("match", "Match the features of two pictures");
+  CLI::App* command = app.add_subcommand("match", "Match the features of two images");
   const auto arguments = std::make_shared<MatchArguments>();
-  command->add_option("A", arguments->first, "picture")->required();
-  command->add_option("B", arguments->second, "picture")->required();
+  command->add_option("A", arguments->first, "image")->required();
+  command->add_option("B", arguments->second, "image")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
   command->footer(kFooter);

@@ -4,7 +4,7 @@
 
 namespace corvo {
 
-/// `corvo match A B -o DIR`: the matches between two pictures, drawn and as a table. Its callback
+/// `corvo match A B -o DIR`: the matches between two images, drawn and as a table. Its callback
 /// throws corvo::Error.
 void AddMatchCommand(CLI::App& app);
 

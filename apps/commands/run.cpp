@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/former_option.h"
 #include "apps/output/output_folder.h"
-#include "apps/output/track_pictures.h"
+#include "apps/output/track_drawings.h"
 #include "apps/run/interruption.h"
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
@@ -32,11 +33,11 @@ constexpr const char* kFooter = R"(Examples:
   corvo run sequences/03 --refine -o result           # ... adjusted as a whole at the end
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
-Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialised, 3 lost part-way,
+Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialized, 3 lost part-way,
 130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are. A camera's
 sequence is ended by Ctrl-C, and written.)";
 
-/// Before the first picture.
+/// Before the first image.
 RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
   RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads),
                    std::make_unique<LandmarkSpool>(),
@@ -46,14 +47,16 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
                    {},
                    0,
                    false};
-  record.odometry.SetLandmarkSink(
-      [finished = record.finished.get()](const FinishedLandmark& landmark) {
+  record.odometry.SetLandmarkCallback(
+      [finished = record.finished.get()](const MarginalizedLandmark& landmark) {
         finished->Add(landmark);
       });
   if (!arguments.refine) return record;
-  record.sightings = std::make_unique<SightingsSpool>();
-  record.odometry.SetSightingsSink(
-      [sightings = record.sightings.get()](const FrameSightings& frame) { sightings->Add(frame); });
+  record.observations = std::make_unique<ObservationSpool>();
+  record.odometry.SetObservationCallback(
+      [observations = record.observations.get()](const FrameObservations& frame) {
+        observations->Add(frame);
+      });
   return record;
 }
 
@@ -61,7 +64,8 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
 void RefineRecord(const std::function<bool()>& is_interrupted, RunRecord& record) {
   ProgressLine line;
   record.refinement = Refine(
-      record.odometry, [&](const SightingsSink& visit) { record.sightings->ForEach(visit); }, {},
+      record.odometry,
+      [&](const ObservationCallback& visit) { record.observations->ForEach(visit); }, {},
       [&](double share) {
         line.Show(share, "refining");
         return !is_interrupted();
@@ -74,7 +78,7 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
                         const Interruption& interruption) {
   RunRecord record = MakeRecord(inputs, arguments);
   ProgressReport progress(inputs.source.size().value_or(0));
-  TrackPictures pictures(arguments.pictures);
+  TrackDrawings drawings(arguments.drawings);
   Stopwatch watch;
   const auto is_interrupted = [&] {
     return interruption.IsRequested() && !inputs.source.is_live();
@@ -86,7 +90,7 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
     timing.total_ms = watch.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
-    pictures.Add(next->image, record.odometry.last_frame(), frame);
+    drawings.Add(next->image, record.odometry.last_frame(), frame);
     progress.Add(frame);
     watch.LapMs();
     if (!interruption.IsRequested()) continue;
@@ -95,7 +99,7 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
   }
   record.trajectory = record.odometry.Finish();
   if (arguments.refine && !record.is_interrupted) RefineRecord(is_interrupted, record);
-  record.trajectory = Scale(arguments.metres_per_unit.value_or(1), std::move(record.trajectory));
+  record.trajectory = Scale(arguments.meters_per_unit.value_or(1), std::move(record.trajectory));
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
 }
@@ -139,12 +143,13 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->add_option("--max-dt", arguments->max_dt_s,
                    "seconds between poses that are compared (default: half a frame)")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--draw", arguments->pictures,
-                      "folder for a picture of every frame with its tracked features");
+  command->add_option("--draw", arguments->drawings,
+                      "folder for a drawing of every frame with its tracked features");
   command
-      ->add_option("--metres-per-unit", arguments->metres_per_unit,
+      ->add_option("--meters-per-unit", arguments->meters_per_unit,
                    "scale of the written trajectories and map (default: the run's own unit)")
       ->check(CLI::Range(1e-12, 1e12));
+  AddFormerOption(*command, "--metres-per-unit", "is now --meters-per-unit");
   command->add_flag("--refine", arguments->refine,
                     "after the last image adjust the whole sequence, and write the trajectory that "
                     "comes of it");

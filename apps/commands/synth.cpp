@@ -31,7 +31,7 @@ synthetic::Layout ParseLayout(const std::string& name) {
   return name == "euroc" ? synthetic::Layout::kEuroc : synthetic::Layout::kTum;
 }
 
-void Synthesise(SynthArguments& arguments) {
+void Synthesize(SynthArguments& arguments) {
   if (!arguments.camera.empty()) {
     arguments.options.camera = ReadCameraFile(arguments.camera).camera.parameters();
   }
@@ -57,13 +57,13 @@ void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, con
 
 void AddEffects(CLI::App& command, synthetic::Effects& effects) {
   AddSpan(command, "--dark", effects.dark, "seconds in which the light is all but out");
-  AddSpan(command, "--blur", effects.blur, "seconds in which motion blurs the pictures");
+  AddSpan(command, "--blur", effects.blur, "seconds in which motion blurs the images");
   command.add_option("--drift", effects.exposure_drift,
                      "exposure swings by so many stops either way, in 8 s (0 to 3)");
   command.add_option("--vignetting", effects.vignetting,
                      "share of the light that the corners lose (0 to 0.95)");
   command.add_option("--moving", effects.moving_share,
-                     "share of the picture hidden by things that move (0 to 0.8)");
+                     "share of the image hidden by things that move (0 to 0.8)");
 }
 
 void AddScene(CLI::App& synth, const char* name, const char* description,
@@ -75,21 +75,21 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
   command->add_option("--layout", arguments->layout, "of the files: TUM RGB-D, KITTI or EuRoC")
       ->check(CLI::IsMember({"tum", "kitti", "euroc"}))
       ->capture_default_str();
-  command->add_option("--frames", arguments->options.frames, "number of pictures")
+  command->add_option("--frames", arguments->options.frames, "number of images")
       ->capture_default_str();
   command->add_option("--width", arguments->options.width,
-                      "width of the pictures, px; the rest follows (default: the scene's own)");
+                      "width of the images, px; the rest follows (default: the scene's own)");
   command->add_option("--camera", arguments->camera,
                       "camera file, of any model, to film through instead of the scene's own");
   command->add_option("--noise", arguments->options.noise_sigma,
-                      "standard deviation of the noise in each pixel, grey levels");
+                      "standard deviation of the noise in each pixel, gray levels");
   command->add_option("--seed", arguments->options.noise_seed, "of the noise")
       ->capture_default_str();
   AddSpan(*command, "--turn", arguments->options.turn,
           "seconds in which the camera stands and turns 40 degrees to either side");
   AddEffects(*command, arguments->options.effects);
   command->add_flag("--force", arguments->force, "overwrite files in a folder that is not empty");
-  command->callback([arguments] { Synthesise(*arguments); });
+  command->callback([arguments] { Synthesize(*arguments); });
 }
 
 }  // namespace

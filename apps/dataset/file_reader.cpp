@@ -11,7 +11,7 @@ class FileReader : public ImageReader {
     if (next_ == files_.size()) return std::nullopt;
     const TimedFile& entry = files_[next_];
     const int index = static_cast<int>(next_++);
-    return TimedImage{ReadGreyImage(entry.file), {}, entry.time_ns, index, entry.file.string()};
+    return TimedImage{ReadGrayImage(entry.file), {}, entry.time_ns, index, entry.file.string()};
   }
 
   bool Skip() override {

@@ -28,7 +28,7 @@ std::string_view TakeToken(std::string_view& text) {
   return token;
 }
 
-/// 7-Scenes keeps a depth picture beside each colour picture.
+/// 7-Scenes keeps a depth image beside each color image.
 bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
 
 void AddTimes(const std::vector<fs::path>& files, double frame_rate_hz, ImageList& list) {
@@ -89,7 +89,7 @@ ImageList ListMatchingImages(const fs::path& pattern, double frame_rate_hz) {
     }
   }
   globfree(&found);
-  if (files.empty()) throw Error(fmt::format("{}: matches no picture", pattern.string()));
+  if (files.empty()) throw Error(fmt::format("{}: matches no image", pattern.string()));
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return NaturalLess(a.string(), b.string());
   });
@@ -103,7 +103,7 @@ ImageList ListFolderImages(const fs::path& input, double frame_rate_hz) {
   AddTimes(ImageFilesIn(input), frame_rate_hz, list);
   if (list.images.empty()) {
     throw Error(
-        fmt::format("{}: holds no pictures (png, jpg, jpeg, bmp, pgm, tif) and is not a "
+        fmt::format("{}: holds no images (png, jpg, jpeg, bmp, pgm, tif) and is not a "
                     "KITTI, EuRoC, TUM or TUM-mono sequence",
                     input.string()));
   }

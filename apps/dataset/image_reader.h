@@ -18,22 +18,22 @@ struct TimedFile {
 };
 
 struct TimedImage {
-  cv::Mat image;  ///< 8-bit grey.
+  cv::Mat image;  ///< 8-bit gray.
   cv::Mat mask;   ///< Empty, or of the image's size: features are found where it is not 0.
   TimeNs time_ns = 0;
   int index = 0;     ///< In the whole sequence, from 0.
   std::string name;  ///< What errors call it: its file, or the video and its frame.
 };
 
-/// Pictures one at a time, in the order they were taken.
+/// Images one at a time, in the order they were taken.
 class ImageReader {
  public:
   virtual ~ImageReader() = default;
 
-  /// The next picture; none after the last. Throws corvo::Error where it cannot be read.
+  /// The next image; none after the last. Throws corvo::Error where it cannot be read.
   virtual std::optional<TimedImage> Read() = 0;
 
-  /// Leaves out the next picture; false after the last.
+  /// Leaves out the next image; false after the last.
   virtual bool Skip() = 0;
 };
 
@@ -49,13 +49,13 @@ std::unique_ptr<ImageReader> OpenVideo(const std::filesystem::path& file,
 /// such camera.
 std::unique_ptr<ImageReader> OpenCamera(int device);
 
-/// 8-bit grey. Colour becomes 0.299 R + 0.587 G + 0.114 B (a JPEG's own luma); of 16 bits the upper
-/// eight are kept. Throws corvo::Error where there is no readable picture, or a JPEG without its
+/// 8-bit gray. Color becomes 0.299 R + 0.587 G + 0.114 B (a JPEG's own luma); of 16 bits the upper
+/// eight are kept. Throws corvo::Error where there is no readable image, or a JPEG without its
 /// end.
-cv::Mat ReadGreyImage(const std::filesystem::path& file);
+cv::Mat ReadGrayImage(const std::filesystem::path& file);
 
-/// The same for a decoded picture of 8 or 16 bits with one, three (BGR) or four (BGRA) channels;
+/// The same for a decoded image of 8 or 16 bits with one, three (BGR) or four (BGRA) channels;
 /// `name` starts the message of the corvo::Error for any other.
-cv::Mat ToGrey(const cv::Mat& picture, const std::string& name);
+cv::Mat ToGray(const cv::Mat& image, const std::string& name);
 
 }  // namespace corvo

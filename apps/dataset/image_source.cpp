@@ -55,11 +55,11 @@ std::optional<int> ParseDevice(std::string_view input) {
 
 void CheckSize(const TimedImage& image, const cv::Size& size) {
   if (image.image.size() == size) return;
-  throw Error(fmt::format("{}: the picture is {} x {} px, the camera {} x {} px", image.name,
+  throw Error(fmt::format("{}: the image is {} x {} px, the camera {} x {} px", image.name,
                           image.image.cols, image.image.rows, size.width, size.height));
 }
 
-/// A picture shrunk by averaging, or enlarged by linear interpolation.
+/// An image shrunk by averaging, or enlarged by linear interpolation.
 cv::Mat Resize(const cv::Mat& image, const cv::Size& size) {
   if (image.size() == size) return image;
   const bool shrinks = size.width <= image.cols && size.height <= image.rows;
@@ -86,7 +86,7 @@ ImageList ListImages(const fs::path& input, double frame_rate_hz) {
   }
   ImageList list =
       exists ? ListByLayout(input, frame_rate_hz) : ListMatchingImages(input, frame_rate_hz);
-  if (list.images.empty()) throw Error(fmt::format("{}: holds no pictures", input.string()));
+  if (list.images.empty()) throw Error(fmt::format("{}: holds no images", input.string()));
   CheckFiles(list.images);
   CheckTimesAscend(list.images);
   return list;
@@ -101,7 +101,7 @@ ImageSource::ImageSource(ImageList list, std::unique_ptr<ImageReader> reader,
 
 const TimedImage& ImageSource::First() {
   if (!first_) first_ = ReadNext();
-  if (!first_) throw Error("no picture is left: the sequence ends before --start");
+  if (!first_) throw Error("no image is left: the sequence ends before --start");
   return *first_;
 }
 
@@ -154,7 +154,7 @@ ImageSource OpenImages(const std::string& input, std::optional<double> frame_rat
                        double default_frame_rate_hz, const Selection& selection) {
   if (fs::is_regular_file(input)) {
     if (HasImageExtension(input)) {
-      throw Error(fmt::format("{}: one picture; give its folder, or a quoted pattern", input));
+      throw Error(fmt::format("{}: one image; give its folder, or a quoted pattern", input));
     }
     return {ImageList{"video", {}, {}}, OpenVideo(input, frame_rate_hz), selection};
   }

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 constexpr const char* kTimes = "times.txt";
 constexpr const char* kCalibration = "calib.txt";
 
-/// A camera of the rig: its folder of pictures and its row in calib.txt.
+/// A camera of the rig: its folder of images and its row in calib.txt.
 struct RigCamera {
   const char* folder;
   const char* row;
 };
 
-/// Left grey first, then left colour.
+/// Left gray first, then left color.
 constexpr std::array<RigCamera, 2> kCameras = {{{"image_0", "P0:"}, {"image_2", "P2:"}}};
 
 const RigCamera* FindCamera(const fs::path& input) {
@@ -62,13 +62,13 @@ void ValidateCamera(const CameraParameters& camera, const std::string& where) {
   }
 }
 
-/// The file does not say the pictures' size: it is that of `first_image`.
+/// The file does not say the images' size: it is that of `first_image`.
 CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::path& first_image) {
   for (const TextLine& line : ReadTextLines(file)) {
     const std::vector<std::string> fields = SplitFields(line.text, ' ');
     if (fields.front() != row) continue;
     CameraParameters camera = ParseProjection(fields, LinePrefix(file, line));
-    const cv::Mat image = ReadGreyImage(first_image);
+    const cv::Mat image = ReadGrayImage(first_image);
     camera.width = image.cols;
     camera.height = image.rows;
     ValidateCamera(camera, LinePrefix(file, line));
@@ -88,9 +88,9 @@ ImageList ListKittiImages(const fs::path& input) {
   const fs::path folder = input / rig_camera.folder;
   const std::vector<fs::path> files = ImageFilesIn(folder);
   const std::vector<TimeNs> times = ReadTimes(input / kTimes);
-  if (files.empty()) throw Error(fmt::format("{}: holds no pictures", folder.string()));
+  if (files.empty()) throw Error(fmt::format("{}: holds no images", folder.string()));
   if (files.size() != times.size()) {
-    throw Error(fmt::format("{}: {} times for the {} pictures in {}", (input / kTimes).string(),
+    throw Error(fmt::format("{}: {} times for the {} images in {}", (input / kTimes).string(),
                             times.size(), files.size(), folder.string()));
   }
   ImageList list{"kitti", {}, {}};

@@ -22,7 +22,7 @@ auto FindNamed(const std::vector<fs::path>& files, const TimedImage& image) {
 
 MaskSource::MaskSource(const fs::path& path, const TimedImage& first) : path_(path) {
   if (!fs::is_directory(path)) {
-    only_ = ReadGreyImage(path);
+    only_ = ReadGrayImage(path);
     return;
   }
   files_ = ImageFilesIn(path);
@@ -32,9 +32,9 @@ MaskSource::MaskSource(const fs::path& path, const TimedImage& first) : path_(pa
 
 cv::Mat MaskSource::MaskOf(const TimedImage& image) const {
   if (path_.empty()) return {};
-  cv::Mat mask = only_.empty() ? ReadGreyImage(FileOf(image)) : only_;
+  cv::Mat mask = only_.empty() ? ReadGrayImage(FileOf(image)) : only_;
   if (mask.size() == image.image.size()) return mask;
-  throw Error(fmt::format("{}: the mask is {} x {} px, the picture {} {} x {} px",
+  throw Error(fmt::format("{}: the mask is {} x {} px, the image {} {} x {} px",
                           (only_.empty() ? FileOf(image) : path_).string(), mask.cols, mask.rows,
                           image.name, image.image.cols, image.image.rows));
 }

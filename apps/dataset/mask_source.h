@@ -7,18 +7,18 @@
 
 namespace corvo {
 
-/// Masks of pictures: 0 where no features are wanted.
+/// Masks of images: 0 where no features are wanted.
 class MaskSource {
  public:
   /// No masks.
   MaskSource() = default;
 
-  /// A picture for all frames, or a folder with one for each: by name (the picture's, the extension
-  /// apart), or in their order where no name fits the first picture's. Throws corvo::Error where
+  /// An image for all frames, or a folder with one for each: by name (the image's, the extension
+  /// apart), or in their order where no name fits the first image's. Throws corvo::Error where
   /// there is none.
   MaskSource(const std::filesystem::path& path, const TimedImage& first);
 
-  /// Empty if there are no masks. Throws corvo::Error where the picture has none, or one of another
+  /// Empty if there are no masks. Throws corvo::Error where the image has none, or one of another
   /// size.
   cv::Mat MaskOf(const TimedImage& image) const;
 

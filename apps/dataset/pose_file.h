@@ -30,7 +30,7 @@ class PoseFile {
   bool has_times_ = false;
 };
 
-/// Recognises the format: commas (EuRoC, time in ns), 8 columns (TUM, time in s) or 12 columns
+/// Recognizes the format: commas (EuRoC, time in ns), 8 columns (TUM, time in s) or 12 columns
 /// (KITTI, no times). Throws corvo::Error naming file and line.
 PoseFile ReadPoseFile(const std::filesystem::path& file);
 

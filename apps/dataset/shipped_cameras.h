@@ -5,7 +5,7 @@
 
 namespace corvo {
 
-/// The camera files that come with corvo for pictures of this size, in order of name. Empty where
+/// The camera files that come with corvo for images of this size, in order of name. Empty where
 /// the folder of configurations is not found.
 std::vector<std::filesystem::path> FindShippedCameras(int width, int height);
 

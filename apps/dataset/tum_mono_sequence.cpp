@@ -29,16 +29,16 @@ std::vector<double> ParseNumbers(const TextLine& line, std::size_t count, const 
   return numbers;
 }
 
-/// The time is the second column; the first is the picture's name, a third the exposure.
-TimeNs ParseTime(const TextLine& line, const fs::path& picture, const fs::path& file) {
+/// The time is the second column; the first is the image's name, a third the exposure.
+TimeNs ParseTime(const TextLine& line, const fs::path& image, const fs::path& file) {
   const std::string where = LinePrefix(file, line);
   const std::vector<std::string> fields = SplitFields(line.text, ' ');
   if (fields.size() < 2 || fields.size() > 3) {
     throw Error(fmt::format("{}'{}' is not 'name time exposure'", where, line.text));
   }
-  if (fields[0] != picture.stem().string()) {
+  if (fields[0] != image.stem().string()) {
     throw Error(
-        fmt::format("{}'{}' is not the picture {}", where, fields[0], picture.filename().string()));
+        fmt::format("{}'{}' is not the image {}", where, fields[0], image.filename().string()));
   }
   return ParseSeconds(fields[1], where);
 }
@@ -51,7 +51,7 @@ CameraParameters ReadTumMonoCamera(const fs::path& file) {
   const auto shape = ParseNumbers(lines[0], 5, "fx fy cx cy omega", file);
   const auto size = ParseNumbers(lines[1], 2, "width height", file);
   if (shape[2] > 1 || shape[3] > 1) {
-    throw Error(fmt::format("{}'{}': cx and cy must be shares of the picture's width and height",
+    throw Error(fmt::format("{}'{}': cx and cy must be shares of the image's width and height",
                             LinePrefix(file, lines[0]), lines[0].text));
   }
   CameraParameters camera;
@@ -85,7 +85,7 @@ ImageList ListTumMonoImages(const fs::path& input) {
   const fs::path times = input / kTimes;
   const std::vector<TextLine> lines = ReadTextLines(times);
   if (files.size() != lines.size()) {
-    throw Error(fmt::format("{}: {} times for the {} pictures in {}", times.string(), lines.size(),
+    throw Error(fmt::format("{}: {} times for the {} images in {}", times.string(), lines.size(),
                             files.size(), folder.string()));
   }
   ImageList list{"tum-mono", {}, {}};

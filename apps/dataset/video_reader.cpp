@@ -24,9 +24,9 @@ class CaptureReader : public ImageReader {
   std::optional<TimedImage> Read() override {
     if (!Skip()) return std::nullopt;
     const std::string name = fmt::format("{}, frame {}", name_, index_);
-    cv::Mat picture;
-    if (!capture_.retrieve(picture)) throw Error(fmt::format("{}: cannot be decoded", name));
-    return TimedImage{ToGrey(picture, name).clone(), {}, time_ns_, index_, name};
+    cv::Mat image;
+    if (!capture_.retrieve(image)) throw Error(fmt::format("{}: cannot be decoded", name));
+    return TimedImage{ToGray(image, name).clone(), {}, time_ns_, index_, name};
   }
 
   bool Skip() override {
@@ -82,7 +82,7 @@ class CameraReader : public CaptureReader {
   Clock::time_point opened_ = Clock::now();
 };
 
-/// By one backend, so that times and colours do not depend on which others are installed. Its
+/// By one backend, so that times and colors do not depend on which others are installed. Its
 /// errors are an unopened capture.
 template <typename Source>
 cv::VideoCapture OpenCapture(const Source& source, int backend) {
@@ -98,8 +98,8 @@ cv::VideoCapture OpenCapture(const Source& source, int backend) {
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
   if (!capture.isOpened()) {
-    throw Error(fmt::format("{}: not a folder of pictures, nor a video that can be decoded",
-                            file.string()));
+    throw Error(
+        fmt::format("{}: not a folder of images, nor a video that can be decoded", file.string()));
   }
   return std::make_unique<VideoReader>(capture, file.string(), frame_rate_hz);
 }

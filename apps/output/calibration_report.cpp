@@ -12,7 +12,7 @@ CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
                                             const CameraParameters& camera, double sigma) {
   CalibrationReport::Estimate estimate{parameter.name, ValueOf(given, parameter.name),
                                        ValueOf(camera, parameter.name), sigma,
-                                       ShareFromPictures(parameter, sigma)};
+                                       InformationGain(parameter, sigma)};
   if (parameter.name == "focal") {  // Shown by fx, in its unit.
     estimate.name = "fx";
     estimate.sigma *= camera.fx;
@@ -27,7 +27,7 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
   const CameraPrior& prior = odometry.camera_prior();
   const bool is_refined = refinement && refinement->adjustment.covariance.rows() > 0;
   CalibrationReport report;
-  report.contradicts_given = odometry.contradicts_given_camera();
+  report.contradicts_given = odometry.prior_rejected();
   report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
   report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.covariance
                                                   : odometry.camera_estimate().covariance);
@@ -54,7 +54,7 @@ std::string ToText(const CalibrationReport& report) {
   if (report.estimates.empty()) return "";
   std::string text = "camera:";
   for (const CalibrationReport::Estimate& e : report.estimates) {
-    text += fmt::format(" {} {:.4g} ± {:.2g} (given {:.4g}, {:.0f}% from the pictures)", e.name,
+    text += fmt::format(" {} {:.4g} ± {:.2g} (given {:.4g}, {:.0f}% from the images)", e.name,
                         e.value, e.sigma, e.given, 100 * e.share_from_data);
   }
   return text + "\n";
@@ -63,7 +63,7 @@ std::string ToText(const CalibrationReport& report) {
 void WarnOfContradiction(const CalibrationReport& report) {
   if (!report.contradicts_given) return;
   spdlog::warn(
-      "the pictures contradict the given camera by more than its standard deviations allow; it was "
+      "the images contradict the given camera by more than its standard deviations allow; it was "
       "used as given: check its focal length and distortion, or say how uncertain they are "
       "(calibration.focal_sigma, k1_sigma, k2_sigma)");
 }

@@ -23,7 +23,7 @@ struct CalibrationReport {
   };
 
   std::vector<Estimate> estimates;  ///< Empty where the camera is not estimated.
-  bool contradicts_given = false;   ///< As Odometry::contradicts_given_camera().
+  bool contradicts_given = false;   ///< As Odometry::prior_rejected().
   CameraParameters camera;
   std::vector<FreeParameter> sigma;  ///< As camera files have it.
 };
@@ -38,7 +38,7 @@ nlohmann::ordered_json ToJson(const CalibrationReport& report);
 /// A line; empty where the camera is not estimated.
 std::string ToText(const CalibrationReport& report);
 
-/// Warns where the pictures contradict the camera that was given.
+/// Warns where the images contradict the camera that was given.
 void WarnOfContradiction(const CalibrationReport& report);
 
 }  // namespace corvo

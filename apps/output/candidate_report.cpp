@@ -18,7 +18,7 @@ std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int s
     const CameraCandidate& candidate = candidates[i];
     text += fmt::format("{} {:<8} {:>10} ", i == selected ? '*' : ' ',
                         ToString(candidate.description), candidate.prior.num_free());
-    if (candidate.adjustment.outcome == AdjustmentOutcome::kLowered) {
+    if (candidate.adjustment.outcome == AdjustmentOutcome::kImproved) {
       text += fmt::format("{:>8.3f} {:>12.1f} {:>12.1f}\n", candidate.adjustment.inlier_rms_px,
                           candidate.adjustment.final_cost, candidate.information_criterion);
     } else {
@@ -54,25 +54,25 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
   const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
   for (std::size_t i = 0; i < sigma.size(); ++i) {
     const FreeParameter& parameter = candidate.prior.free[i];
-    const bool is_told = ShareFromPictures(parameter, sigma[i].sigma) >= kMinShare;
+    const bool is_reported = InformationGain(parameter, sigma[i].sigma) >= kMinShare;
     if (parameter.name == "focal" && !(sigma[i].sigma <= kMaxFocalSigma)) {
       warnings.push_back(fmt::format(
           "the motion does not determine the focal length (known to {:.1f}%): turn while moving, "
           "among things near and far, not straight ahead and not before a wall",
           100 * sigma[i].sigma));
     }
-    if (parameter.name == "cx" || parameter.name == "cy") is_center_told &= is_told;
-    if (IsDistortion(parameter.name)) is_distortion_told &= is_told;
+    if (parameter.name == "cx" || parameter.name == "cy") is_center_told &= is_reported;
+    if (IsDistortion(parameter.name)) is_distortion_told &= is_reported;
   }
   if (!is_center_told) {
     warnings.emplace_back(
-        "the motion does not determine the principal point, which stays near the picture's centre: "
+        "the motion does not determine the principal point, which stays near the image's center: "
         "turn up, down and to the sides, and roll the camera about its axis");
   }
   if (!is_distortion_told) {
     warnings.emplace_back(
         "the motion does not determine all of the distortion: turn while moving, with texture up "
-        "to the picture's corners");
+        "to the image's corners");
   }
   return warnings;
 }

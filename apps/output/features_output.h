@@ -4,7 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "apps/output/match_pictures.h"
+#include "apps/output/match_images.h"
 #include "apps/output/output_folder.h"
 #include "orb/extractor.h"
 
@@ -16,18 +16,18 @@ std::string FeatureTable(const orb::Features& features);
 
 /// CSV, a line a match: its features' lines in their tables (from 0), their pixels, the distance
 /// (bits), and 1 where it agrees with the homography.
-std::string MatchTable(const PictureMatches& matches);
+std::string MatchTable(const ImageMatches& matches);
 
-/// The grey picture in colour with every keypoint: a circle in proportion to the patch it is
-/// described from, its direction, and a colour for each octave.
+/// The gray image in color with every keypoint: a circle in proportion to the patch it is
+/// described from, its direction, and a color for each octave.
 cv::Mat DrawFeatures(const cv::Mat& image, const orb::Features& features,
                      const orb::Extractor& extractor);
 
-/// The grey pictures side by side with the matches: green where they agree with the homography,
+/// The gray images side by side with the matches: green where they agree with the homography,
 /// else red.
-cv::Mat DrawMatches(const cv::Mat& first, const cv::Mat& second, const PictureMatches& matches);
+cv::Mat DrawMatches(const cv::Mat& first, const cv::Mat& second, const ImageMatches& matches);
 
-/// Stages a picture of that name. Throws corvo::Error where it cannot be written.
-void WritePicture(const cv::Mat& picture, const std::string& name, const OutputFolder& output);
+/// Stages an image of that name. Throws corvo::Error where it cannot be written.
+void WriteImage(const cv::Mat& image, const std::string& name, const OutputFolder& output);
 
 }  // namespace corvo

@@ -10,7 +10,7 @@ namespace corvo {
 
 /// Wall time of one frame, ms.
 struct FrameTiming {
-  double read_ms = 0;  ///< Reading and decoding the picture.
+  double read_ms = 0;  ///< Reading and decoding the image.
   StageTimes stages;
   double total_ms = 0;  ///< Odometry::Process as a whole.
 };

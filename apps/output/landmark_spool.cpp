@@ -24,7 +24,7 @@ static_assert(sizeof(Record) == 32);
 
 }  // namespace
 
-void LandmarkSpool::Add(const FinishedLandmark& landmark) {
+void LandmarkSpool::Add(const MarginalizedLandmark& landmark) {
   if (!file_) file_.reset(std::tmpfile());
   if (!file_) Fail();
   const Eigen::Vector3d& point = landmark.in_world;
@@ -38,7 +38,7 @@ std::size_t LandmarkSpool::num_bytes() const {
   return sizeof(Record) * static_cast<std::size_t>(size_);
 }
 
-void LandmarkSpool::ForEach(const std::function<void(const FinishedLandmark&)>& visit) const {
+void LandmarkSpool::ForEach(const std::function<void(const MarginalizedLandmark&)>& visit) const {
   if (!file_) return;
   std::rewind(file_.get());
   for (int i = 0; i < size_; ++i) {

@@ -14,14 +14,14 @@ namespace corvo {
 class LandmarkSpool {
  public:
   /// Throws corvo::Error where nothing can be written.
-  void Add(const FinishedLandmark& landmark);
+  void Add(const MarginalizedLandmark& landmark);
 
   int size() const { return size_; }
   std::size_t num_bytes() const;  ///< Of the file.
 
   /// Calls `visit` with every landmark, in the order in which they came. Throws corvo::Error where
   /// the file cannot be read.
-  void ForEach(const std::function<void(const FinishedLandmark&)>& visit) const;
+  void ForEach(const std::function<void(const MarginalizedLandmark&)>& visit) const;
 
  private:
   struct CloseFile {

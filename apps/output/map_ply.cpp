@@ -5,17 +5,17 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kLandmarkColour = "160 160 160";
-constexpr const char* kKeyframeColour = "220 30 30";
+constexpr const char* kLandmarkColor = "160 160 160";
+constexpr const char* kKeyframeColor = "220 30 30";
 
-std::string Vertex(const Eigen::Vector3d& in_world, const char* colour, int segment) {
+std::string Vertex(const Eigen::Vector3d& in_world, const char* color, int segment) {
   return fmt::format("{:.9g} {:.9g} {:.9g} {} {}\n", in_world.x(), in_world.y(), in_world.z(),
-                     colour, segment);
+                     color, segment);
 }
 
 std::string Header(int num_vertices) {
   return fmt::format(
-      "ply\nformat ascii 1.0\ncomment corvo map: landmarks grey, keyframes red\n"
+      "ply\nformat ascii 1.0\ncomment corvo map: landmarks gray, keyframes red\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int segment\n"
       "end_header\n",
@@ -24,32 +24,32 @@ std::string Header(int num_vertices) {
 
 }  // namespace
 
-std::string MapPly(const LandmarkSpool& finished, const Map& map, double metres_per_unit) {
+std::string MapPly(const LandmarkSpool& finished, const Map& map, double meters_per_unit) {
   std::string vertices;
-  finished.ForEach([&](const FinishedLandmark& landmark) {
-    vertices += Vertex(metres_per_unit * landmark.in_world, kLandmarkColour, landmark.segment);
+  finished.ForEach([&](const MarginalizedLandmark& landmark) {
+    vertices += Vertex(meters_per_unit * landmark.in_world, kLandmarkColor, landmark.segment);
   });
   for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
-    vertices += Vertex(metres_per_unit * landmark->in_world, kLandmarkColour, landmark->segment);
+    vertices += Vertex(meters_per_unit * landmark->in_world, kLandmarkColor, landmark->segment);
   }
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
-    vertices += Vertex(metres_per_unit * map.WorldFromKeyframe(id).translation(), kKeyframeColour,
+    vertices += Vertex(meters_per_unit * map.WorldFromKeyframe(id).translation(), kKeyframeColor,
                        map.SegmentOf(id));
   }
   return Header(finished.size() + map.num_landmarks() + map.num_keyframes()) + vertices;
 }
 
-std::string MapPly(const Refinement& refinement, double metres_per_unit) {
+std::string MapPly(const Refinement& refinement, double meters_per_unit) {
   std::string vertices;
   int num_vertices = static_cast<int>(refinement.landmarks.size());
-  for (const FinishedLandmark& landmark : refinement.landmarks) {
-    vertices += Vertex(metres_per_unit * landmark.in_world, kLandmarkColour, landmark.segment);
+  for (const MarginalizedLandmark& landmark : refinement.landmarks) {
+    vertices += Vertex(meters_per_unit * landmark.in_world, kLandmarkColor, landmark.segment);
   }
   for (const FrameResult& frame : refinement.trajectory.frames) {
     if (!frame.is_keyframe || !frame.world_from_camera) continue;
-    vertices += Vertex(metres_per_unit * frame.world_from_camera->translation(), kKeyframeColour,
+    vertices += Vertex(meters_per_unit * frame.world_from_camera->translation(), kKeyframeColor,
                        frame.segment);
     ++num_vertices;
   }

@@ -26,7 +26,7 @@ Eigen::AlignedBox3d BoundingBox(const PoseSequence& poses) {
   return box;
 }
 
-/// Everything the picture shows.
+/// Everything the image shows.
 Eigen::AlignedBox3d BoundingBox(const TrajectoryPlot& plot) {
   Eigen::AlignedBox3d box = BoundingBox(plot.truth);
   for (const PoseSequence& segment : plot.segments) box.extend(BoundingBox(segment));
@@ -40,7 +40,7 @@ Axes ChooseAxes(const Eigen::Vector3d& extent) {
   return extent.z() <= extent.x() ? Axes{0, 1, 2} : Axes{1, 2, 0};
 }
 
-/// Ranges of the same length for both axes, so that straight paths do not squeeze the picture.
+/// Ranges of the same length for both axes, so that straight paths do not squeeze the image.
 std::string EqualRanges(const Eigen::AlignedBox3d& box, const Axes& axes) {
   const Eigen::Vector3d middle = box.center();
   const Eigen::Vector3d extent = box.sizes();
@@ -69,7 +69,7 @@ std::string DataBlock(const std::string& name, const PoseSequence& poses, const 
   return block + "EOD\n";
 }
 
-/// A curve of the picture: its data block, legend and gnuplot style.
+/// A curve of the image: its data block, legend and gnuplot style.
 struct Curve {
   std::string block;
   std::string title;

@@ -9,13 +9,13 @@
 
 namespace corvo {
 
-/// What a picture of a trajectory shows, all in one world frame.
+/// What an image of a trajectory shows, all in one world frame.
 struct TrajectoryPlot {
-  std::vector<PoseSequence> segments;  ///< The estimate; each in a colour of its own.
+  std::vector<PoseSequence> segments;  ///< The estimate; each in a color of its own.
   PoseSequence truth;                  ///< Empty if there is none.
 };
 
-/// The gnuplot script that writes the picture, as PNG, to standard output: the path from above
+/// The gnuplot script that writes the image, as PNG, to standard output: the path from above
 /// (x and z; other axes in worlds whose y axis is not the vertical), and the third axis over time.
 std::string PlotScript(const TrajectoryPlot& plot);
 

@@ -15,11 +15,11 @@ std::string_view Advice(Reason reason) {
     case Reason::kNone:
       return "no reason is known";
     case Reason::kReferenceFrame:
-      return "initialisation begins here: see the other reasons, or the sequence is too short";
+      return "initialization begins here: see the other reasons, or the sequence is too short";
     case Reason::kTooFewFeatures:
-      return "the pictures are too dark, blurred or blank";
+      return "the images are too dark, blurred or blank";
     case Reason::kTooFewMatches:
-      return "the pictures change too much from one to the next: blur, or too low a frame rate";
+      return "the images change too much from one to the next: blur, or too low a frame rate";
     case Reason::kLowParallax:
       return "the camera hardly moves: it must move sideways or forwards";
     case Reason::kRotationOnly:
@@ -27,7 +27,7 @@ std::string_view Advice(Reason reason) {
     case Reason::kPlanar:
       return "the scene is one plane: move until something at another depth comes into view";
     case Reason::kAmbiguousMotion:
-      return "no motion explains the pictures: check the camera file, or the scene moves";
+      return "no motion explains the images: check the camera file, or the scene moves";
     case Reason::kBadTriangulation:
       return "points do not triangulate: check the camera file, or move further";
     case Reason::kTooFewInliers:

@@ -7,13 +7,13 @@ namespace {
 
 std::string WhyNotRefined(AdjustmentOutcome outcome) {
   switch (outcome) {
-    case AdjustmentOutcome::kLowered:
+    case AdjustmentOutcome::kImproved:
       return "";
-    case AdjustmentOutcome::kNoSightings:
+    case AdjustmentOutcome::kNoObservations:
       return "there is nothing to adjust";
     case AdjustmentOutcome::kSolverFailed:
       return "the solver failed";
-    case AdjustmentOutcome::kNotLowered:
+    case AdjustmentOutcome::kNotImproved:
       return "the robust cost would not be lower";
   }
   return "";
@@ -27,7 +27,7 @@ RefinementReport ReportRefinement(const Refinement& refinement) {
   report.why_not = WhyNotRefined(adjustment.outcome);
   report.cost_before = adjustment.initial_cost;
   report.cost_after = adjustment.final_cost;
-  report.num_sightings = adjustment.num_sightings;
+  report.num_observations = adjustment.num_observations;
   report.num_inliers = adjustment.num_inliers;
   report.num_adjusted = refinement.num_adjusted;
   report.num_placed = refinement.num_placed;
@@ -43,7 +43,7 @@ nlohmann::ordered_json ToJson(const RefinementReport& report) {
     return json;
   }
   json["cost_after"] = report.cost_after;
-  json["sightings"] = report.num_sightings;
+  json["observations"] = report.num_observations;
   json["inliers"] = report.num_inliers;
   json["frames_adjusted"] = report.num_adjusted;
   json["frames_placed"] = report.num_placed;
@@ -54,9 +54,9 @@ nlohmann::ordered_json ToJson(const RefinementReport& report) {
 std::string ToText(const RefinementReport& report) {
   if (!report.why_not.empty()) return fmt::format("not refined: {}\n", report.why_not);
   return fmt::format(
-      "refined: robust cost {:.1f} -> {:.1f} over {} sightings; {} frames adjusted, {} placed "
+      "refined: robust cost {:.1f} -> {:.1f} over {} observations; {} frames adjusted, {} placed "
       "again, {} moved with them\n",
-      report.cost_before, report.cost_after, report.num_sightings, report.num_adjusted,
+      report.cost_before, report.cost_after, report.num_observations, report.num_adjusted,
       report.num_placed, report.num_moved);
 }
 

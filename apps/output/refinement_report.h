@@ -13,7 +13,7 @@ struct RefinementReport {
   std::string why_not;  ///< Why the trajectory is the plain one; empty if it is refined.
   double cost_before = 0;
   double cost_after = 0;  ///< Of a refined trajectory.
-  int num_sightings = 0;
+  int num_observations = 0;
   int num_inliers = 0;
   int num_adjusted = 0;
   int num_placed = 0;

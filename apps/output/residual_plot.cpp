@@ -36,16 +36,16 @@ std::vector<ResidualCell> MeanResiduals(const Camera& camera, const std::vector<
   }
   for (const Bundle& bundle : bundles) {
     const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
-    for (const Bundle::Sighting& sighting : bundle.sightings) {
-      if (!sighting.is_inlier || !camera.Contains(sighting.pixel)) continue;
-      const auto pixel =
-          camera.Project(camera_from_local[sighting.view] * bundle.points[sighting.point].in_local);
+    for (const Bundle::Observation& observation : bundle.observations) {
+      if (!observation.is_inlier || !camera.Contains(observation.pixel)) continue;
+      const auto pixel = camera.Project(camera_from_local[observation.view] *
+                                        bundle.points[observation.point].in_local);
       if (!pixel) continue;
-      const int column = static_cast<int>((sighting.pixel.x() + 0.5) / size.x());
-      const int row = static_cast<int>((sighting.pixel.y() + 0.5) / size.y());
+      const int column = static_cast<int>((observation.pixel.x() + 0.5) / size.x());
+      const int row = static_cast<int>((observation.pixel.y() + 0.5) / size.y());
       ResidualCell& cell = cells[std::min(row, rows - 1) * columns + std::min(column, columns - 1)];
       ++cell.count;
-      cell.mean_px += (sighting.pixel - *pixel - cell.mean_px) / cell.count;
+      cell.mean_px += (observation.pixel - *pixel - cell.mean_px) / cell.count;
     }
   }
   return cells;

@@ -9,9 +9,9 @@
 
 namespace corvo {
 
-/// Gives an odometry the pictures of a sequence that is prepared, at most so many of them, under a
+/// Gives an odometry the images of a sequence that is prepared, at most so many of them, under a
 /// bar with this text, and ends it. Throws corvo::Error and Interrupted.
 void PassThrough(ImageSource source, const std::string& text, const Interruption& interruption,
-                 Odometry& odometry, int max_pictures = std::numeric_limits<int>::max());
+                 Odometry& odometry, int max_images = std::numeric_limits<int>::max());
 
 }  // namespace corvo

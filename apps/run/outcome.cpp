@@ -35,7 +35,7 @@ std::string_view ToString(Outcome outcome) {
     case Outcome::kDone:
       return "done";
     case Outcome::kNeverInitialized:
-      return "never initialised";
+      return "never initialized";
     case Outcome::kLost:
       return "lost part-way";
   }

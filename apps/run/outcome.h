@@ -10,7 +10,7 @@ namespace corvo {
 enum class Outcome {
   kDone = 0,
   kNeverInitialized = 2,  ///< No frame is posed.
-  kLost = 3,              ///< Lost after initialisation: a gap, or poses in several segments.
+  kLost = 3,              ///< Lost after initialization: a gap, or poses in several segments.
 };
 
 Outcome JudgeOutcome(const Trajectory& trajectory);

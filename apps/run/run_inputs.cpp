@@ -71,7 +71,7 @@ OdometryOptions ReadRunOptions(const RunArguments& arguments) {
 void CheckFocal(const RunArguments& arguments) {
   if (arguments.focal.empty() || !IsLiveInput(arguments.input.string())) return;
   throw Error(
-      fmt::format("--focal auto: {} is a live camera, whose pictures come but once; give --camera "
+      fmt::format("--focal auto: {} is a live camera, whose images come but once; give --camera "
                   "FILE, or a recording",
                   arguments.input.string()));
 }
@@ -80,14 +80,14 @@ MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
   return arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
 }
 
-/// The pictures of a run, of the size that they have.
-ImageSource OpenPictures(const RunArguments& arguments) {
-  ImageSource pictures = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
-                                    kDefaultFrameRateHz, arguments.selection);
-  const TimedImage& first = pictures.First();
+/// The images of a run, of the size that they have.
+ImageSource OpenPreparedImages(const RunArguments& arguments) {
+  ImageSource images = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
+                                  kDefaultFrameRateHz, arguments.selection);
+  const TimedImage& first = images.First();
   const cv::Size size = first.image.size();
-  pictures.Prepare({size, size, OpenMasks(arguments, first)});
-  return pictures;
+  images.Prepare({size, size, OpenMasks(arguments, first)});
+  return images;
 }
 
 /// Named, found or the dataset's own.
@@ -96,7 +96,7 @@ CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<Camera
                        ImageSource& source) {
   if (named) return named->Prior(options.calibration);
   if (!arguments.focal.empty()) {
-    return FindCamera([&] { return OpenPictures(arguments); }, options, arguments.threads,
+    return FindCamera([&] { return OpenPreparedImages(arguments); }, options, arguments.threads,
                       interruption);
   }
   if (!source.list().camera) ThrowNoCamera(arguments, source.First().image.size());
@@ -138,7 +138,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
                          "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
   command
       .add_option("--focal", arguments.focal,
-                  "auto: the camera is found in the pictures: a search for the focal length, and a "
+                  "auto: the camera is found in the images: a search for the focal length, and a "
                   "first pass through 500 of them at most; instead of the dataset's camera")
       ->check(CLI::IsMember({"auto"}))
       ->excludes(camera);

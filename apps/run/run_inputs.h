@@ -20,13 +20,13 @@ struct RunArguments {
   std::filesystem::path output;
   std::filesystem::path config;
   std::filesystem::path camera;
-  std::string focal;               ///< "auto": the camera is found from the pictures.
+  std::string focal;               ///< "auto": the camera is found from the images.
   std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
   std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
   std::filesystem::path mask;
   std::optional<double> frame_rate_hz;
-  std::filesystem::path pictures;         ///< Folder for drawings of the tracked features.
-  std::optional<double> metres_per_unit;  ///< Scales what is written; none is 1.
+  std::filesystem::path drawings;         ///< Folder for drawings of the tracked features.
+  std::optional<double> meters_per_unit;  ///< Scales what is written; none is 1.
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty: not asked for.
   int threads = 1;
@@ -34,11 +34,11 @@ struct RunArguments {
   std::string calibration;  ///< "estimate" or "fixed"; empty: as the options say.
 };
 
-/// Everything a run reads but the pictures.
+/// Everything a run reads but the images.
 struct RunInputs {
   OdometryOptions options;
   CameraPrior
-      camera;  ///< Of the pictures as `source` hands them out: resized, if that was asked for.
+      camera;  ///< Of the images as `source` hands them out: resized, if that was asked for.
   ImageSource source;
   RunTruth truth;
 };
@@ -46,10 +46,10 @@ struct RunInputs {
 /// Adds --start, --every and --count.
 void AddSelectionOptions(CLI::App& command, Selection& selection);
 
-/// Adds INPUT and the options that say which pictures are read, and how.
+/// Adds INPUT and the options that say which images are read, and how.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
-/// Reads and checks all of it, and that the first picture has the camera's size; finds the camera
+/// Reads and checks all of it, and that the first image has the camera's size; finds the camera
 /// where that is asked for. Throws corvo::Error and Interrupted.
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption);
 

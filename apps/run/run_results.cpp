@@ -32,7 +32,7 @@ std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
   return segments;
 }
 
-/// The estimate, aligned to the truth where there is one; of the truth, the time of the pictures.
+/// The estimate, aligned to the truth where there is one; of the truth, the time of the images.
 TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
                         const RunSummary& summary) {
   TrajectoryPlot plot{PosesBySegment(trajectory), {}};
@@ -60,15 +60,15 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
 
 void WriteTables(const RunArguments& arguments, const RunRecord& record,
                  const OutputFolder& output) {
-  const double metres_per_unit = arguments.metres_per_unit.value_or(1);
+  const double meters_per_unit = arguments.meters_per_unit.value_or(1);
   output.Write("map.ply", record.is_refined()
-                              ? MapPly(*record.refinement, metres_per_unit)
-                              : MapPly(*record.finished, record.odometry.map(), metres_per_unit));
+                              ? MapPly(*record.refinement, meters_per_unit)
+                              : MapPly(*record.finished, record.odometry.map(), meters_per_unit));
   output.Write("frames.csv", FrameTable(record.trajectory));
   output.Write("timing.csv", TimingTable(record.timings));
 }
 
-/// Without sigmas where they do not hold: the pictures contradict them.
+/// Without sigmas where they do not hold: the images contradict them.
 CameraFile EstimatedCamera(const CalibrationReport& calibration) {
   CameraFile file{Camera(calibration.camera), {}, "estimated by corvo run", {}};
   if (!calibration.contradicts_given) file.sigma = calibration.sigma;

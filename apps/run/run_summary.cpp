@@ -63,7 +63,7 @@ std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
   if (residuals && IsImplausible(*residuals)) {
     spdlog::warn(
         "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
-        "2 px at most are expected); check the camera's focal length, centre and distortion",
+        "2 px at most are expected); check the camera's focal length, center and distortion",
         residuals->median_px, residuals->num_matches);
   }
   return residuals;
@@ -169,7 +169,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["reasons"] = CountsJson(summary.reasons);
   json["trajectory_kitti"] =
       summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
-  if (arguments.metres_per_unit) json["metres_per_unit"] = *arguments.metres_per_unit;
+  if (arguments.meters_per_unit) json["meters_per_unit"] = *arguments.meters_per_unit;
   if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
   if (summary.rotation_deg) json["rotation_over_1s_deg"] = ToJson(*summary.rotation_deg);

@@ -36,7 +36,7 @@ struct RunSummary {
   std::optional<ErrorStatistics> rotation_deg;
 };
 
-/// Warns of a calibration that does not fit the pictures.
+/// Warns of a calibration that does not fit the images.
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
                      const RunRecord& record);
 

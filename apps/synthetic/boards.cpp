@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kBoards = 3;
-constexpr double kHeight = 0.9;  ///< Of a board, as a share of its row of the picture.
+constexpr double kHeight = 0.9;  ///< Of a board, as a share of its row of the image.
 constexpr double kDepth = 0.8;   ///< m
 constexpr double kPeriodsS[kBoards] = {5.3, 4.1, 6.7};
 
@@ -27,9 +27,9 @@ Eigen::Vector2d RayThrough(const Camera& camera, double x, double y) {
 Boards::Boards(const Camera& camera, double share, Scene* scene) : width_(share / kHeight) {
   const double x = 0.5 * (camera.width() - 1), y = 0.5 * (camera.height() - 1);
   corner_ = {RayThrough(camera, -0.5, y).x(), RayThrough(camera, x, -0.5).y()};
-  picture_ = Eigen::Vector2d(RayThrough(camera, camera.width() - 0.5, y).x(),
-                             RayThrough(camera, x, camera.height() - 0.5).y()) -
-             corner_;
+  image_ = Eigen::Vector2d(RayThrough(camera, camera.width() - 0.5, y).x(),
+                           RayThrough(camera, x, camera.height() - 0.5).y()) -
+           corner_;
   for (int i = 0; i < kBoards; ++i) {
     textures_.push_back(scene->AddTexture(DrawPoster(51 + static_cast<std::uint64_t>(i))));
   }
@@ -41,15 +41,15 @@ std::vector<Quad> Boards::At(const SE3& scene_from_camera, double seconds) const
     const double phase = 2 * kPi * seconds / kPeriodsS[i] + 2.1 * i;
     const double left = (1 - width_) * 0.5 * (1 + std::sin(phase));
     const double top = (i + 0.5 * (1 - kHeight)) / kBoards;
-    const Eigen::Vector2d ray = corner_ + picture_.cwiseProduct(Eigen::Vector2d(left, top));
+    const Eigen::Vector2d ray = corner_ + image_.cwiseProduct(Eigen::Vector2d(left, top));
     Quad quad;
     quad.corner = scene_from_camera * Eigen::Vector3d(kDepth * ray.homogeneous());
     quad.right = scene_from_camera.rotation() * Eigen::Vector3d::UnitX();
     quad.down = scene_from_camera.rotation() * Eigen::Vector3d::UnitY();
-    quad.width = kDepth * width_ * picture_.x();
-    quad.height = kDepth * kHeight / kBoards * picture_.y();
+    quad.width = kDepth * width_ * image_.x();
+    quad.height = kDepth * kHeight / kBoards * image_.y();
     quad.texture = textures_[static_cast<std::size_t>(i)];
-    quad.texels_per_metre.setConstant(512 / std::max(quad.width, quad.height));
+    quad.texels_per_meter.setConstant(512 / std::max(quad.width, quad.height));
     quads.push_back(quad);
   }
   return quads;

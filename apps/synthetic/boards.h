@@ -9,10 +9,10 @@
 namespace corvo::synthetic {
 
 /// Things that move by themselves: three boards close before the camera, which slide to and fro
-/// across it one above the other, and together hide a given share of the picture.
+/// across it one above the other, and together hide a given share of the image.
 class Boards {
  public:
-  /// `share` of the picture, 0 to 0.8; exact for a camera without distortion, unless something is
+  /// `share` of the image, 0 to 0.8; exact for a camera without distortion, unless something is
   /// nearer than the boards. Draws them into `scene`, whose textures they use from then on.
   Boards(const Camera& camera, double share, Scene* scene);
 
@@ -20,9 +20,9 @@ class Boards {
   std::vector<Quad> At(const SE3& scene_from_camera, double seconds) const;
 
  private:
-  Eigen::Vector2d corner_;   ///< (x/z, y/z) of the picture's upper left corner.
-  Eigen::Vector2d picture_;  ///< Width and height of the picture in the same.
-  double width_;             ///< Of a board, as a share of the picture's.
+  Eigen::Vector2d corner_;  ///< (x/z, y/z) of the image's upper left corner.
+  Eigen::Vector2d image_;   ///< Width and height of the image in the same.
+  double width_;            ///< Of a board, as a share of the image's.
   std::vector<int> textures_;
 };
 

@@ -18,10 +18,10 @@ constexpr double kDoorSpacing = 5, kLampSpacing = 4;  ///< m
 constexpr double kNoticeSpacing = 9;                  ///< m
 constexpr double kReach = 25, kSpeed = 1.2;           ///< Of the walk to and fro, m and m/s.
 
-/// The canvas with its contrast cut to `percent`, about `grey`.
-Canvas Faint(Canvas canvas, int grey, int percent) {
+/// The canvas with its contrast cut to `percent`, about `gray`.
+Canvas Faint(Canvas canvas, int gray, int percent) {
   for (std::uint8_t& texel : canvas.texels) {
-    texel = static_cast<std::uint8_t>(grey + (texel - 128) * percent / 100);
+    texel = static_cast<std::uint8_t>(gray + (texel - 128) * percent / 100);
   }
   return canvas;
 }
@@ -70,9 +70,9 @@ class CorridorBuilder {
     return quad;
   }
 
-  void Add(Quad quad, int texture, double texels_per_metre) {
+  void Add(Quad quad, int texture, double texels_per_meter) {
     quad.texture = texture;
-    quad.texels_per_metre.setConstant(texels_per_metre);
+    quad.texels_per_meter.setConstant(texels_per_meter);
     quad.texture_origin << 131.0 * static_cast<double>(scene_->quads.size()), 0;
     scene_->AddLit(quad);
   }

@@ -6,7 +6,7 @@
 namespace corvo::synthetic {
 namespace {
 
-std::uint8_t Clamp(int grey) { return static_cast<std::uint8_t>(std::clamp(grey, 0, 255)); }
+std::uint8_t Clamp(int gray) { return static_cast<std::uint8_t>(std::clamp(gray, 0, 255)); }
 
 /// 3t² - 2t³ at t = i / cell, in units of 1/256.
 std::vector<int> SmoothSteps(int cell) {
@@ -73,34 +73,34 @@ void AddNoise(Canvas* canvas, std::uint64_t seed, const Noise& noise) {
   }
 }
 
-void Fill(Canvas* canvas, const Rectangle& area, int grey) {
+void Fill(Canvas* canvas, const Rectangle& area, int gray) {
   for (int y = area.y; y < area.y + area.height; ++y) {
-    for (int x = area.x; x < area.x + area.width; ++x) canvas->At(x, y) = Clamp(grey);
+    for (int x = area.x; x < area.x + area.width; ++x) canvas->At(x, y) = Clamp(gray);
   }
 }
 
-void Add(Canvas* canvas, const Rectangle& area, int greys) {
+void Add(Canvas* canvas, const Rectangle& area, int grays) {
   for (int y = area.y; y < area.y + area.height; ++y) {
     for (int x = area.x; x < area.x + area.width; ++x) {
-      canvas->At(x, y) = Clamp(canvas->At(x, y) + greys);
+      canvas->At(x, y) = Clamp(canvas->At(x, y) + grays);
     }
   }
 }
 
-void Fill(Canvas* canvas, const Disc& area, int grey) {
+void Fill(Canvas* canvas, const Disc& area, int gray) {
   for (int v = -area.radius; v <= area.radius; ++v) {
     for (int u = -area.radius; u <= area.radius; ++u) {
       if (u * u + v * v > area.radius * area.radius) continue;
-      canvas->At(area.x + u, area.y + v) = Clamp(grey);
+      canvas->At(area.x + u, area.y + v) = Clamp(gray);
     }
   }
 }
 
-void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int grey) {
+void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int gray) {
   int x = random->Between(0, canvas->side - 1), y = random->Between(0, canvas->side - 1);
   const int drift_x = random->Between(-1, 1), drift_y = random->Between(-1, 1);
   for (int i = 0; i < length; ++i) {
-    Fill(canvas, {x, y, thickness, thickness}, grey);
+    Fill(canvas, {x, y, thickness, thickness}, gray);
     x += random->Between(-1, 1);
     y += random->Between(-1, 1);
     if (random->Chance(50)) x += drift_x;
@@ -108,14 +108,14 @@ void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int gr
   }
 }
 
-void DrawText(Canvas* canvas, Random* random, const Rectangle& area, int dot, int grey) {
+void DrawText(Canvas* canvas, Random* random, const Rectangle& area, int dot, int gray) {
   for (int y = area.y; y + 5 * dot <= area.y + area.height; y += 8 * dot) {
     for (int x = area.x; x + 3 * dot <= area.x + area.width; x += 4 * dot) {
       if (random->Chance(15)) continue;
       const std::uint64_t glyph = random->Next();
       for (int i = 0; i < 15; ++i) {
         if ((glyph >> i & 1) == 0) continue;
-        Fill(canvas, {x + i % 3 * dot, y + i / 3 * dot, dot, dot}, grey);
+        Fill(canvas, {x + i % 3 * dot, y + i / 3 * dot, dot, dot}, gray);
       }
     }
   }

@@ -19,13 +19,13 @@ struct TimeSpan {
 /// Throws corvo::Error naming the start or the duration of `name` if it is out of range.
 void CheckSpan(const std::string& name, const TimeSpan& span);
 
-/// What goes wrong with the pictures of a sequence. The truth stays as it is.
+/// What goes wrong with the images of a sequence. The truth stays as it is.
 struct Effects {
-  TimeSpan dark;  ///< The light is all but out: greys fall to a fiftieth.
+  TimeSpan dark;  ///< The light is all but out: grays fall to a fiftieth.
   TimeSpan blur;  ///< The shutter stays open from the middle before a frame to the middle after it.
   double exposure_drift = 0;  ///< Brightness swings by this many stops either way, in 8 s; 0 to 3.
   double vignetting = 0;      ///< Share of the light that the corners lose; 0 to 0.95.
-  double moving_share = 0;    ///< Share of the picture hidden by things that move; 0 to 0.8.
+  double moving_share = 0;    ///< Share of the image hidden by things that move; 0 to 0.8.
 
   /// Throws corvo::Error naming the first field out of range.
   void Validate() const;
@@ -34,7 +34,7 @@ struct Effects {
 /// How much brighter a frame is than the scene; 1 without dark and drift.
 double Brightness(const Effects& effects, double seconds);
 
-/// Darkens, brightens and vignettes a picture (8-bit grey) of that time as `effects` say.
+/// Darkens, brightens and vignettes an image (8-bit gray) of that time as `effects` say.
 void ApplyLight(cv::Mat* image, const Effects& effects, double seconds);
 
 }  // namespace corvo::synthetic

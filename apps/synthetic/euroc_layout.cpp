@@ -56,17 +56,17 @@ PoseSequence BodyPoses(const Sequence& sequence) {
 
 }  // namespace
 
-fs::path EurocPicture(TimeNs time_ns) { return fmt::format("mav0/cam0/data/{}.png", time_ns); }
+fs::path EurocImage(TimeNs time_ns) { return fmt::format("mav0/cam0/data/{}.png", time_ns); }
 
 void WriteEurocTexts(const Sequence& sequence, const fs::path& folder) {
-  std::string pictures = "#timestamp [ns],filename\n";
+  std::string images = "#timestamp [ns],filename\n";
   for (const TimedPose& pose : sequence.poses()) {
-    pictures += fmt::format("{0},{0}.png\n", pose.time_ns);
+    images += fmt::format("{0},{0}.png\n", pose.time_ns);
   }
   const fs::path truth = folder / "mav0/state_groundtruth_estimate0";
   MakeFolder(folder / "mav0/cam0");
   MakeFolder(truth);
-  WriteText(folder / "mav0/cam0/data.csv", pictures);
+  WriteText(folder / "mav0/cam0/data.csv", images);
   WriteText(folder / "mav0/cam0/sensor.yaml", SensorYaml(sequence));
   WriteEurocPoses(truth / "data.csv", BodyPoses(sequence));
 }

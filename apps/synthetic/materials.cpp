@@ -7,15 +7,15 @@
 namespace corvo::synthetic {
 namespace {
 
-/// Rows of blocks, every second row shifted by half a block; each block has its own grey.
+/// Rows of blocks, every second row shifted by half a block; each block has its own gray.
 struct Masonry {
   int width, height, joint;
-  int darkest, lightest, joint_grey;
+  int darkest, lightest, joint_gray;
   bool shifted;
 };
 
 void DrawMasonry(Canvas* canvas, std::uint64_t seed, const Masonry& masonry) {
-  Fill(canvas, Rectangle{0, 0, canvas->side, canvas->side}, masonry.joint_grey);
+  Fill(canvas, Rectangle{0, 0, canvas->side, canvas->side}, masonry.joint_gray);
   const int rows = canvas->side / masonry.height, columns = canvas->side / masonry.width;
   for (int row = 0; row < rows; ++row) {
     const int shift = masonry.shifted && row % 2 == 1 ? masonry.width / 2 : 0;
@@ -29,22 +29,22 @@ void DrawMasonry(Canvas* canvas, std::uint64_t seed, const Masonry& masonry) {
   }
 }
 
-/// `count` rectangles of random place, size and grey, added to what is there.
-void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int largest, int greys) {
+/// `count` rectangles of random place, size and gray, added to what is there.
+void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int largest, int grays) {
   for (int i = 0; i < count; ++i) {
     const int x = random->Between(0, canvas->side - 1), y = random->Between(0, canvas->side - 1);
     const int width = random->Between(smallest, largest);
     const int height = random->Between(smallest, largest);
-    Add(canvas, Rectangle{x, y, width, height}, random->Between(-greys, greys));
+    Add(canvas, Rectangle{x, y, width, height}, random->Between(-grays, grays));
   }
 }
 
 /// What every real surface has: many small marks of low contrast and a fine mottling.
-void AddWear(Canvas* canvas, std::uint64_t seed, int marks_per_square, int greys) {
+void AddWear(Canvas* canvas, std::uint64_t seed, int marks_per_square, int grays) {
   Random random(Hash(seed, 1));
   const int squares = canvas->side / 64 * (canvas->side / 64);
-  AddPatches(canvas, &random, squares * marks_per_square, 2, 7, greys);
-  AddNoise(canvas, Hash(seed, 2), {16, 4, greys / 4});
+  AddPatches(canvas, &random, squares * marks_per_square, 2, 7, grays);
+  AddNoise(canvas, Hash(seed, 2), {16, 4, grays / 4});
 }
 
 void DrawWindow(Canvas* canvas, Random* random, const Rectangle& area) {
@@ -67,12 +67,12 @@ void DrawWindow(Canvas* canvas, Random* random, const Rectangle& area) {
 }
 
 void DrawDoor(Canvas* canvas, Random* random, const Rectangle& area) {
-  const int grey = random->Between(30, 110);
+  const int gray = random->Between(30, 110);
   Fill(canvas, Rectangle{area.x - 8, area.y - 8, area.width + 16, area.height + 8}, 200);
-  Fill(canvas, area, grey);
-  Fill(canvas, Rectangle{area.x + 10, area.y + 12, area.width - 20, area.height / 3}, grey + 40);
+  Fill(canvas, area, gray);
+  Fill(canvas, Rectangle{area.x + 10, area.y + 12, area.width - 20, area.height / 3}, gray + 40);
   Fill(canvas, Rectangle{area.x + 10, area.y + area.height / 2, area.width - 20, area.height / 3},
-       grey - 15);
+       gray - 15);
   Fill(canvas, Disc{area.x + area.width - 8, area.y + area.height / 2, 3}, 220);
 }
 
@@ -247,18 +247,18 @@ Canvas DrawFoliage(std::uint64_t seed) {
 
 Canvas DrawPanel(std::uint64_t seed) {
   Random random(seed);
-  const int grey = random.Between(60, 215);
-  Canvas canvas(512, static_cast<std::uint8_t>(grey));
+  const int gray = random.Between(60, 215);
+  Canvas canvas(512, static_cast<std::uint8_t>(gray));
   for (int i = 0; i < 4; ++i) {
     const int x = 128 * i;
-    Fill(&canvas, Rectangle{x, 0, 3, 512}, grey / 2);
+    Fill(&canvas, Rectangle{x, 0, 3, 512}, gray / 2);
     Fill(&canvas, Rectangle{x + 16, 40, 96, 150}, random.Between(20, 60));
     const Rectangle reflection = {x + 16, 40, random.Between(10, 50), 150};
     Fill(&canvas, reflection, random.Between(60, 110));
     Fill(&canvas, Rectangle{x + 90, 240, 22, 7}, random.Between(20, 240));
-    if (random.Chance(50)) DrawText(&canvas, &random, {x + 14, 300, 100, 60}, 4, 255 - grey);
+    if (random.Chance(50)) DrawText(&canvas, &random, {x + 14, 300, 100, 60}, 4, 255 - gray);
   }
-  Fill(&canvas, Rectangle{0, 215, 512, 4}, grey / 2);
+  Fill(&canvas, Rectangle{0, 215, 512, 4}, gray / 2);
   Fill(&canvas, Rectangle{0, 430, 512, 82}, 45);
   AddPatches(&canvas, &random, 60, 2, 8, 50);
   AddNoise(&canvas, seed, {128, 4, 7});

@@ -4,7 +4,7 @@
 
 #include "apps/synthetic/texture.h"
 
-/// Procedural pictures of surfaces. All arithmetic is on integers, so that every machine draws the
+/// Procedural images of surfaces. All arithmetic is on integers, so that every machine draws the
 /// same texels for a seed. Sizes are in texels.
 namespace corvo::synthetic {
 
@@ -14,7 +14,7 @@ Canvas DrawPlaster(std::uint64_t seed);
 /// Bricks of 64x32 with joints. 1024 a side.
 Canvas DrawBricks(std::uint64_t seed);
 
-/// Square floor tiles of 128, each of its own grey. 1024 a side.
+/// Square floor tiles of 128, each of its own gray. 1024 a side.
 Canvas DrawTiles(std::uint64_t seed);
 
 /// Wooden boards 64 wide with streaks along x. 512 a side.

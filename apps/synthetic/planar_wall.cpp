@@ -20,7 +20,7 @@ std::shared_ptr<const Scene> BuildWall() {
   wall.down = -Eigen::Vector3d::UnitZ();
   wall.width = wall.height = 20;
   wall.texture = scene->AddTexture(DrawMural(31));
-  wall.texels_per_metre.setConstant(250);
+  wall.texels_per_meter.setConstant(250);
   scene->quads.push_back(wall);
   return scene;
 }

@@ -130,13 +130,13 @@ Eigen::Vector2d SubsamplePlace(int i) {
   return Eigen::Vector2d(i + 0.5, reversed + 0.5) / kSubsamples;
 }
 
-/// Grey of a surface about `ray`, filtered over one pixel.
+/// Gray of a surface about `ray`, filtered over one pixel.
 double Shade(const View& view, const Ray& ray, const PixelRays& pixel) {
   const double z = 1 / Along(view.inverse_depth, ray);
   const double u = z * Along(view.u, ray), v = z * Along(view.v, ray);
   const Ray du = z * (view.u.head<2>() - u * view.inverse_depth.head<2>());
   const Ray dv = z * (view.v.head<2>() - v * view.inverse_depth.head<2>());
-  const Eigen::Array2d scale = view.quad->texels_per_metre;
+  const Eigen::Array2d scale = view.quad->texels_per_meter;
   const Eigen::Array2d across(du.dot(pixel.across), dv.dot(pixel.across));
   const Eigen::Array2d along(du.dot(pixel.along), dv.dot(pixel.along));
   const Eigen::Array2d position = view.quad->texture_origin.array() + scale * Eigen::Array2d(u, v);
@@ -174,11 +174,11 @@ double ShadeEdge(const std::vector<Candidate>& candidates, const PixelRays& pixe
   return sum / kSubsamples;
 }
 
-/// One picture being rendered.
-class Picture {
+/// One image being rendered.
+class Rendering {
  public:
-  Picture(const Scene& scene, const Camera& camera, const std::vector<Ray>& corner_rays,
-          const SE3& scene_from_camera, const std::vector<Quad>& more)
+  Rendering(const Scene& scene, const Camera& camera, const std::vector<Ray>& corner_rays,
+            const SE3& scene_from_camera, const std::vector<Quad>& more)
       : scene_(scene), camera_(camera), corner_rays_(corner_rays) {
     const Eigen::Matrix4d matrix = scene_from_camera.matrix();
     const Eigen::Matrix3d camera_from_scene = matrix.topLeftCorner<3, 3>().transpose();
@@ -218,7 +218,7 @@ class Picture {
         const View* const* lower = upper + tile.width + 1;
         const bool same = upper[0] == upper[1] && upper[0] == lower[0] && upper[0] == lower[1];
         image->at<std::uint8_t>(tile.y + y, tile.x + x) =
-            Quantise(Grey(candidates, same, upper[0], RaysOf(tile.x + x, tile.y + y)));
+            Quantize(Gray(candidates, same, upper[0], RaysOf(tile.x + x, tile.y + y)));
       }
     }
   }
@@ -236,16 +236,16 @@ class Picture {
   }
 
  private:
-  static std::uint8_t Quantise(double grey) {
-    return static_cast<std::uint8_t>(std::clamp(grey, 0.0, 255.0) + 0.5);
+  static std::uint8_t Quantize(double gray) {
+    return static_cast<std::uint8_t>(std::clamp(gray, 0.0, 255.0) + 0.5);
   }
 
-  double Grey(const std::vector<Candidate>& candidates, bool same, const View* view,
+  double Gray(const std::vector<Candidate>& candidates, bool same, const View* view,
               const PixelRays& pixel) const {
-    const Ray centre = pixel.At(0.5, 0.5);
-    if (!centre.allFinite()) return 0;
+    const Ray center = pixel.At(0.5, 0.5);
+    if (!center.allFinite()) return 0;
     if (!same) return ShadeEdge(candidates, pixel, scene_.background);
-    return view ? Shade(*view, centre, pixel) : scene_.background;
+    return view ? Shade(*view, center, pixel) : scene_.background;
   }
 
   const Ray& CornerRay(int x, int y) const {
@@ -304,9 +304,9 @@ Renderer::Renderer(const Camera& camera) : camera_(camera) {
 cv::Mat Renderer::Render(const Scene& scene, const SE3& scene_from_camera,
                          const std::vector<Quad>& more) const {
   cv::Mat image(camera_.height(), camera_.width(), CV_8UC1);
-  const Picture picture(scene, camera_, corner_rays_, scene_from_camera, more);
-  picture.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
-    picture.ShadeTile(candidates, tile, &image);
+  const Rendering rendering(scene, camera_, corner_rays_, scene_from_camera, more);
+  rendering.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
+    rendering.ShadeTile(candidates, tile, &image);
   });
   return image;
 }
@@ -314,9 +314,9 @@ cv::Mat Renderer::Render(const Scene& scene, const SE3& scene_from_camera,
 cv::Mat Renderer::RenderDepth(const Scene& scene, const SE3& scene_from_camera,
                               const std::vector<Quad>& more) const {
   cv::Mat depth(camera_.height(), camera_.width(), CV_32FC1);
-  const Picture picture(scene, camera_, corner_rays_, scene_from_camera, more);
-  picture.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
-    picture.MeasureTile(candidates, tile, &depth);
+  const Rendering rendering(scene, camera_, corner_rays_, scene_from_camera, more);
+  rendering.ForEachTile([&](const std::vector<Candidate>& candidates, const cv::Rect& tile) {
+    rendering.MeasureTile(candidates, tile, &depth);
   });
   return depth;
 }

@@ -12,10 +12,10 @@
 
 namespace corvo::synthetic {
 
-/// Casts rays through the camera's own model, so that any distortion it has is in the picture.
+/// Casts rays through the camera's own model, so that any distortion it has is in the image.
 ///
 /// One ray through each corner of the pixels says where surfaces end. A pixel whose corners see the
-/// same surface is shaded once, at its centre; any other from 16 rays. Deterministic for
+/// same surface is shaded once, at its center; any other from 16 rays. Deterministic for
 /// any number of threads.
 class Renderer {
  public:
@@ -26,7 +26,7 @@ class Renderer {
   cv::Mat Render(const Scene& scene, const SE3& scene_from_camera,
                  const std::vector<Quad>& more = {}) const;
 
-  /// CV_32FC1: z in the camera of what the ray through each pixel's centre meets, m; 0 for nothing.
+  /// CV_32FC1: z in the camera of what the ray through each pixel's center meets, m; 0 for nothing.
   cv::Mat RenderDepth(const Scene& scene, const SE3& scene_from_camera,
                       const std::vector<Quad>& more = {}) const;
 

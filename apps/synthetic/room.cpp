@@ -11,7 +11,7 @@ namespace corvo::synthetic {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kLength = 6, kWidth = 5, kHeight = 3;  ///< Along x, y, z; the floor's centre is 0.
+constexpr double kLength = 6, kWidth = 5, kHeight = 3;  ///< Along x, y, z; the floor's center is 0.
 constexpr double kFrameRateHz = 30;
 constexpr double kLoopSeconds = 10;
 
@@ -35,8 +35,8 @@ class RoomBuilder {
   }
 
  private:
-  Material NewMaterial(Canvas canvas, double texels_per_metre) {
-    return {scene_->AddTexture(std::move(canvas)), texels_per_metre};
+  Material NewMaterial(Canvas canvas, double texels_per_meter) {
+    return {scene_->AddTexture(std::move(canvas)), texels_per_meter};
   }
 
   /// A rectangle on the wall in direction `yaw` seen from the middle of the room: `along` it to the
@@ -62,7 +62,7 @@ class RoomBuilder {
       Quad wall = OnWall(i * kPi / 2, -width / 2, 0, width, kHeight, 0);
       const Material& material = walls[i == 1 ? 1 : 0];
       wall.texture = material.texture;
-      wall.texels_per_metre.setConstant(material.texels_per_metre);
+      wall.texels_per_meter.setConstant(material.texels_per_meter);
       wall.texture_origin << 310.0 * i, 170.0 * i;
       scene_->AddLit(wall);
     }
@@ -79,7 +79,7 @@ class RoomBuilder {
     quad.height = kWidth;
     quad.corner = Eigen::Vector3d(-kLength / 2, facing * kWidth / 2, z);
     quad.texture = material.texture;
-    quad.texels_per_metre.setConstant(material.texels_per_metre);
+    quad.texels_per_meter.setConstant(material.texels_per_meter);
     scene_->AddLit(quad);
   }
 
@@ -107,14 +107,14 @@ class RoomBuilder {
   }
 
   void AddPosters() {
-    const Canvas pictures[] = {DrawPoster(21), DrawPoster(22), DrawPoster(23), DrawPoster(24)};
+    const Canvas images[] = {DrawPoster(21), DrawPoster(22), DrawPoster(23), DrawPoster(24)};
     int textures[4];
-    for (int i = 0; i < 4; ++i) textures[i] = scene_->AddTexture(pictures[i]);
+    for (int i = 0; i < 4; ++i) textures[i] = scene_->AddTexture(images[i]);
     const auto hang = [&](int wall, double along, double bottom, double width, double height,
-                          int picture) {
+                          int image) {
       Quad quad = OnWall(wall * kPi / 2, along, bottom, width, height, 0.01);
-      quad.texture = textures[picture];
-      quad.texels_per_metre << 512 / width, 512 / height;
+      quad.texture = textures[image];
+      quad.texels_per_meter << 512 / width, 512 / height;
       scene_->AddLit(quad);
     };
     hang(0, 0.2, 1.4, 1.0, 1.3, 0);

@@ -28,9 +28,9 @@ Quad Side(const Box& box, const Eigen::Vector3d& normal, double distance, double
   quad.height = box.size.z();
   quad.corner = box.base + distance * normal - 0.5 * width * quad.right + box.size.z() * kUp;
   quad.texture = box.sides.texture;
-  quad.texels_per_metre.setConstant(box.sides.texels_per_metre);
+  quad.texels_per_meter.setConstant(box.sides.texels_per_meter);
   quad.texture_origin = box.texture_origin;
-  quad.texture_origin.y() -= box.size.z() * box.sides.texels_per_metre;
+  quad.texture_origin.y() -= box.size.z() * box.sides.texels_per_meter;
   quad.gain = box.gain;
   return quad;
 }
@@ -45,7 +45,7 @@ Quad Level(const Box& box, int facing, double height, const Eigen::Vector3d& x_a
   quad.height = box.size.y();
   quad.corner = box.base + height * kUp - 0.5 * quad.width * x_axis - 0.5 * quad.height * quad.down;
   quad.texture = box.top.texture;
-  quad.texels_per_metre.setConstant(box.top.texels_per_metre);
+  quad.texels_per_meter.setConstant(box.top.texels_per_meter);
   quad.texture_origin = box.texture_origin;
   quad.gain = box.gain;
   return quad;
@@ -91,7 +91,7 @@ std::uint64_t Scene::Fingerprint() const {
     hash = Combine(Combine(Combine(hash, quad.corner), quad.right), quad.down);
     hash = Combine(Combine(Combine(hash, quad.width), quad.height), quad.gain);
     hash = Combine(Combine(hash, quad.texture_origin.x()), quad.texture_origin.y());
-    hash = Combine(Combine(hash, quad.texels_per_metre.x()), quad.texels_per_metre.y());
+    hash = Combine(Combine(hash, quad.texels_per_meter.x()), quad.texels_per_meter.y());
     hash = Hash(hash, quad.texture);
   }
   return hash;

@@ -9,10 +9,10 @@
 
 namespace corvo::synthetic {
 
-/// A textured rectangle, seen from its front only. The frame of a scene is in metres with z up.
+/// A textured rectangle, seen from its front only. The frame of a scene is in meters with z up.
 ///
 ///     x_in_scene = corner + u * right + v * down,  0 <= u <= width, 0 <= v <= height
-///     texel = texture_origin + (u * texels_per_metre.x, v * texels_per_metre.y)
+///     texel = texture_origin + (u * texels_per_meter.x, v * texels_per_meter.y)
 struct Quad {
   Eigen::Vector3d corner;  ///< The upper left one, seen from the front.
   Eigen::Vector3d right;   ///< Unit vector.
@@ -21,21 +21,21 @@ struct Quad {
   double height = 0;       ///< m
   int texture = 0;         ///< Index into Scene::textures.
   Eigen::Vector2d texture_origin = Eigen::Vector2d::Zero();
-  Eigen::Vector2d texels_per_metre = Eigen::Vector2d::Ones();
-  double gain = 1;  ///< Brightness of the surface, times its texture's grey.
+  Eigen::Vector2d texels_per_meter = Eigen::Vector2d::Ones();
+  double gain = 1;  ///< Brightness of the surface, times its texture's gray.
 };
 
 /// A texture at a size.
 struct Material {
   int texture = 0;
-  double texels_per_metre = 100;
+  double texels_per_meter = 100;
 };
 
 /// A cuboid that stands on `base`, turned by `yaw` about the vertical. It has a bottom only if it
 /// is above the ground; the texture of each side starts at `texture_origin` at its lower left
 /// corner.
 struct Box {
-  Eigen::Vector3d base;  ///< Centre of the footprint.
+  Eigen::Vector3d base;  ///< Center of the footprint.
   double yaw = 0;        ///< rad
   Eigen::Vector3d size;  ///< Along the box's own x, y and up, m.
   Material sides;
@@ -48,7 +48,7 @@ struct Box {
 struct Scene {
   std::vector<Texture> textures;
   std::vector<Quad> quads;
-  double background = 230;  ///< Grey where no surface is.
+  double background = 230;  ///< Gray where no surface is.
 
   /// The index of the new texture.
   int AddTexture(Canvas canvas);
@@ -58,7 +58,7 @@ struct Scene {
 
   void AddBox(const Box& box);
 
-  /// A number that changes with any texel, and with any length in a quad by a micrometre.
+  /// A number that changes with any texel, and with any length in a quad by a micrometer.
   std::uint64_t Fingerprint() const;
 };
 

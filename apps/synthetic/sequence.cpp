@@ -13,7 +13,7 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr int kBlurMoments = 12;    ///< That make up a blurred picture.
+constexpr int kBlurMoments = 12;    ///< That make up a blurred image.
 constexpr double kTurnAngle = 0.7;  ///< To either side, rad.
 
 /// A sample of the standard normal distribution, by the central limit: the sum of twelve uniform

@@ -24,11 +24,11 @@ namespace corvo::synthetic {
 struct SequenceOptions {
   int frames = 300;
   int width = 0;           ///< px; the height and the focal length follow. 0: the scene's own size.
-  double noise_sigma = 0;  ///< Standard deviation of the Gaussian noise added to each pixel, grey.
+  double noise_sigma = 0;  ///< Standard deviation of the Gaussian noise added to each pixel, gray.
   std::uint64_t noise_seed = 1;
   Effects effects;
   TimeSpan
-      turn;  ///< The camera stands, and turns about its own centre 40° to either side and back.
+      turn;  ///< The camera stands, and turns about its own center 40° to either side and back.
   std::optional<CameraParameters> camera;  ///< Overrides the scene's camera and `width`.
 
   /// Throws corvo::Error naming the first field out of range.
@@ -58,9 +58,9 @@ class Sequence {
   /// Time of a frame, or of a moment between two, s.
   double SecondsAt(double frame) const { return frame / frame_rate_hz_; }
 
-  /// 8-bit grey. The same bytes whenever and in whatever order frames are rendered.
+  /// 8-bit gray. The same bytes whenever and in whatever order frames are rendered.
   cv::Mat Render(int frame) const;
-  /// CV_32FC1: z in the camera of what each pixel's centre shows, m; 0 for nothing.
+  /// CV_32FC1: z in the camera of what each pixel's center shows, m; 0 for nothing.
   cv::Mat RenderDepth(int frame) const;
 
  private:
@@ -95,7 +95,7 @@ Sequence MakePlanarWall(const SequenceOptions& options = {});
 /// there; 25 m to and fro. 640x480 at 30 Hz, hand-held.
 Sequence MakeCorridor(const SequenceOptions& options = {});
 
-/// The room, from a camera that turns about its own centre and does not move. 640x480 at 30 Hz.
+/// The room, from a camera that turns about its own center and does not move. 640x480 at 30 Hz.
 Sequence MakePureRotation(const SequenceOptions& options = {});
 
 }  // namespace corvo::synthetic

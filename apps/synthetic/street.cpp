@@ -54,8 +54,8 @@ class StreetBuilder {
   using AddObject = void (StreetBuilder::*)(const StreetPath::Place&, const Eigen::Vector2d&,
                                             Random*);
 
-  Material NewMaterial(Canvas canvas, double texels_per_metre) {
-    return {scene_->AddTexture(std::move(canvas)), texels_per_metre};
+  Material NewMaterial(Canvas canvas, double texels_per_meter) {
+    return {scene_->AddTexture(std::move(canvas)), texels_per_meter};
   }
 
   void AddMaterials() {
@@ -76,26 +76,26 @@ class StreetBuilder {
     ground.down = -Eigen::Vector3d::UnitY();
     ground.width = ground.height = 2 * kHalf;
     ground.texture = asphalt_.texture;
-    ground.texels_per_metre.setConstant(asphalt_.texels_per_metre);
+    ground.texels_per_meter.setConstant(asphalt_.texels_per_meter);
     scene_->AddLit(ground);
   }
 
-  /// Whether a rectangle about `centre` keeps `margin` from the middle of the road.
-  bool IsClear(const Eigen::Vector2d& centre, double yaw, const Eigen::Vector2d& size, double along,
+  /// Whether a rectangle about `center` keeps `margin` from the middle of the road.
+  bool IsClear(const Eigen::Vector2d& center, double yaw, const Eigen::Vector2d& size, double along,
                double margin) const {
     const Eigen::Rotation2Dd turn(yaw);
     for (int i = 0; i < 9; ++i) {
       const int column = i % 3 - 1, row = i / 3 - 1;
       const Eigen::Vector2d corner(0.5 * column * size.x(), 0.5 * row * size.y());
-      const Eigen::Vector2d point = centre + turn * corner;
+      const Eigen::Vector2d point = center + turn * corner;
       if (path_.Clearance(point, along - 60, along + 60) < margin) return false;
     }
     return true;
   }
 
-  /// Where `metres` more along the line `left` metres beside the road lead.
-  double Advance(double along, double left, double metres) const {
-    for (double done = 0; done < metres && along < path_.length(); along += 0.5) {
+  /// Where `meters` more along the line `left` meters beside the road lead.
+  double Advance(double along, double left, double meters) const {
+    for (double done = 0; done < meters && along < path_.length(); along += 0.5) {
       done += 0.5 * std::max(0.1, 1 - left * path_.At(along).curvature);
     }
     return along;
@@ -109,27 +109,27 @@ class StreetBuilder {
       const double setback = random.Uniform(8.6, 11);
       const double middle = Advance(along, side * setback, width / 2);
       const StreetPath::Place place = path_.At(middle);
-      const Eigen::Vector2d centre = place.Beside(side * (setback + depth / 2));
-      if (IsClear(centre, place.heading, {width, depth}, middle, 8.2)) {
-        AddHouse(centre, place.heading, {width, depth, random.Uniform(6, 12)}, side, &random);
+      const Eigen::Vector2d center = place.Inflated(side * (setback + depth / 2));
+      if (IsClear(center, place.heading, {width, depth}, middle, 8.2)) {
+        AddHouse(center, place.heading, {width, depth, random.Uniform(6, 12)}, side, &random);
       }
       along = Advance(along, side * setback, width + (random.Chance(25) ? 3.0 : 0.2));
     }
   }
 
-  void AddHouse(const Eigen::Vector2d& centre, double heading, const Eigen::Vector3d& size,
+  void AddHouse(const Eigen::Vector2d& center, double heading, const Eigen::Vector3d& size,
                 int side, Random* random) {
     const Material& facade = Pick(facades_, random);
     const Eigen::Vector2d origin(256.0 * random->Between(0, 3), 0);
     const double gain = random->Uniform(0.8, 1.15);
-    scene_->AddBox({{centre.x(), centre.y(), 0}, heading, size, facade, paving_, origin, gain});
+    scene_->AddBox({{center.x(), center.y(), 0}, heading, size, facade, paving_, origin, gain});
     const Eigen::Rotation2Dd turn(heading);
     for (int i = random->Between(0, 2); i > 0; --i) {  // Bays.
       const Eigen::Vector3d bay{random->Uniform(1.8, 3), random->Uniform(0.5, 1.2),
                                 random->Uniform(2.8, size.z() - 1)};
       const double along = random->Uniform(bay.x() - size.x(), size.x() - bay.x()) / 2;
       const Eigen::Vector2d base =
-          centre + turn * Eigen::Vector2d(along, -side * (size.y() + bay.y()) / 2);
+          center + turn * Eigen::Vector2d(along, -side * (size.y() + bay.y()) / 2);
       const Eigen::Vector2d bay_origin(random->Between(0, 1023), 0);
       scene_->AddBox({{base.x(), base.y(), 0},
                       heading,
@@ -149,9 +149,9 @@ class StreetBuilder {
       const StreetPath::Place place = path_.At(along + kPiece / 2);
       const double left = side * (kKerb + kBreadth / 2);
       const double length = kPiece * (1 - left * place.curvature) + 0.02;
-      const Eigen::Vector2d centre = place.Beside(left);
-      const Eigen::Vector2d origin(along * paving_.texels_per_metre, 0);
-      scene_->AddBox({{centre.x(), centre.y(), 0},
+      const Eigen::Vector2d center = place.Inflated(left);
+      const Eigen::Vector2d origin(along * paving_.texels_per_meter, 0);
+      scene_->AddBox({{center.x(), center.y(), 0},
                       place.heading,
                       {length, kBreadth, rise},
                       paving_,
@@ -161,14 +161,14 @@ class StreetBuilder {
     }
   }
 
-  /// Objects about every `spacing` metres, `aside` from the middle of the road.
+  /// Objects about every `spacing` meters, `aside` from the middle of the road.
   void AddRow(int side, double aside, double spacing, std::uint64_t seed, AddObject add) {
     for (int i = 0; i * spacing < path_.length(); ++i) {
       Random random(Hash(seed, side, i));
       if (random.Chance(30)) continue;
       const double along = spacing * (i + random.Uniform(0.2, 0.8));
       const StreetPath::Place place = path_.At(along);
-      const Eigen::Vector2d position = place.Beside(side * (aside + random.Uniform(0, 0.4)));
+      const Eigen::Vector2d position = place.Inflated(side * (aside + random.Uniform(0, 0.4)));
       (this->*add)(place, position, &random);
     }
   }

@@ -35,7 +35,7 @@ constexpr std::array<Section, 14> kPeriod = {{
     {30, 0},
 }};
 
-/// Heading after `distance` metres if the curvature jumped from section to section.
+/// Heading after `distance` meters if the curvature jumped from section to section.
 double AngularHeading(double distance) {
   double heading = 0;
   for (std::size_t i = 0; distance > 0; i = (i + 1) % kPeriod.size()) {
@@ -47,7 +47,7 @@ double AngularHeading(double distance) {
 
 }  // namespace
 
-Eigen::Vector2d StreetPath::Place::Beside(double left) const {
+Eigen::Vector2d StreetPath::Place::Inflated(double left) const {
   return position + left * Eigen::Vector2d(-std::sin(heading), std::cos(heading));
 }
 

@@ -16,22 +16,22 @@ class StreetPath {
     double heading = 0;                                  ///< rad, from x towards y.
     double curvature = 0;                                ///< 1/m, positive to the left.
 
-    /// The point `left` metres beside the middle.
-    Eigen::Vector2d Beside(double left) const;
+    /// The point `left` meters beside the middle.
+    Eigen::Vector2d Inflated(double left) const;
   };
 
   /// Starts at the origin along x.
   explicit StreetPath(double length);
 
   double length() const;
-  /// After `distance` metres, clamped to the road.
+  /// After `distance` meters, clamped to the road.
   Place At(double distance) const;
 
   /// From a point to the nearest place of the road between two distances along it, m.
   double Clearance(const Eigen::Vector2d& point, double from, double to) const;
 
  private:
-  std::vector<Place> places_;  ///< Every kStep metres.
+  std::vector<Place> places_;  ///< Every kStep meters.
 };
 
 }  // namespace corvo::synthetic

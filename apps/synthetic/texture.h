@@ -7,7 +7,7 @@
 
 namespace corvo::synthetic {
 
-/// A square grey picture of 2^n texels a side that repeats in both directions, row by row.
+/// A square gray image of 2^n texels a side that repeats in both directions, row by row.
 struct Canvas {
   explicit Canvas(int side, std::uint8_t value = 128);
 
@@ -25,13 +25,13 @@ struct Canvas {
   }
 };
 
-/// A periodic picture with its mip-map (Williams 1983), sampled with anisotropic filtering.
+/// A periodic image with its mip-map (Williams 1983), sampled with anisotropic filtering.
 /// Texel i covers [i, i + 1) of the continuous coordinate.
 class Texture {
  public:
   explicit Texture(Canvas finest);
 
-  /// Mean grey over the parallelogram spanned by the footprint vectors `dx`, `dy` (texels per
+  /// Mean gray over the parallelogram spanned by the footprint vectors `dx`, `dy` (texels per
   /// pixel) about `position` (texels): up to kMaxTaps trilinear samples along the longer one.
   float Sample(const Eigen::Vector2d& position, const Eigen::Vector2d& dx,
                const Eigen::Vector2d& dy) const;

@@ -88,12 +88,12 @@ KeypointPairs FindAgain(std::span<const orb::Keypoint> first, std::span<const or
 TrainingPairSampler::TrainingPairSampler(const orb::ExtractorOptions& options)
     : extractor_(options), sampler_(options) {}
 
-TrainingPairs TrainingPairSampler::Sample(const cv::Mat& picture, std::uint64_t seed) const {
-  const TrainingView view = MakeTrainingView(picture, seed);
+TrainingPairs TrainingPairSampler::Sample(const cv::Mat& image, std::uint64_t seed) const {
+  const TrainingView view = MakeTrainingView(image, seed);
   const KeypointPairs pairs =
-      FindAgain(extractor_.Extract(picture).keypoints, extractor_.Extract(view.image).keypoints,
-                view.view_from_picture, extractor_.octave_scales());
-  return {sampler_.Sample(picture, pairs.first), sampler_.Sample(view.image, pairs.second)};
+      FindAgain(extractor_.Extract(image).keypoints, extractor_.Extract(view.image).keypoints,
+                view.view_from_image, extractor_.octave_scales());
+  return {sampler_.Sample(image, pairs.first), sampler_.Sample(view.image, pairs.second)};
 }
 
 }  // namespace corvo

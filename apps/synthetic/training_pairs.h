@@ -31,14 +31,14 @@ struct TrainingPairs {
   std::vector<orb::PositionSums> second;
 };
 
-/// Makes training pairs of pictures: what a keypoint's tests see in the picture and again, with all
+/// Makes training pairs of images: what a keypoint's tests see in the image and again, with all
 /// the error of its detection, in a MakeTrainingView().
 class TrainingPairSampler {
  public:
   explicit TrainingPairSampler(const orb::ExtractorOptions& options);
 
-  /// `picture` is 8-bit, one channel. Several threads may call it at once.
-  TrainingPairs Sample(const cv::Mat& picture, std::uint64_t seed) const;
+  /// `image` is 8-bit, one channel. Several threads may call it at once.
+  TrainingPairs Sample(const cv::Mat& image, std::uint64_t seed) const;
 
  private:
   orb::Extractor extractor_;

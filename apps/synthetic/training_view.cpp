@@ -18,7 +18,7 @@ cv::Point2d Apply(const cv::Matx33d& homography, double x, double y) {
   return {mapped[0] / mapped[2], mapped[1] / mapped[2]};
 }
 
-/// About the picture's centre, which goes to the origin.
+/// About the image's center, which goes to the origin.
 cv::Matx33d RandomHomography(cv::Size size, Random& random) {
   constexpr int kDirections = 3600;
   constexpr double kMaxShear = 0.2;
@@ -36,7 +36,7 @@ cv::Matx33d RandomHomography(cv::Size size, Random& random) {
   return rotation * affine * perspective * centring;
 }
 
-/// The box around a picture that a homography has moved.
+/// The box around an image that a homography has moved.
 cv::Rect2d BoxAround(const cv::Matx33d& homography, cv::Size size) {
   cv::Point2d low = Apply(homography, 0, 0);
   cv::Point2d high = low;
@@ -49,19 +49,19 @@ cv::Rect2d BoxAround(const cv::Matx33d& homography, cv::Size size) {
   return {low, high};
 }
 
-cv::Mat Warp(const cv::Mat& picture, const cv::Matx33d& view_from_picture, cv::Size size) {
-  const cv::Matx33d picture_from_view = view_from_picture.inv();
+cv::Mat Warp(const cv::Mat& image, const cv::Matx33d& view_from_image, cv::Size size) {
+  const cv::Matx33d image_from_view = view_from_image.inv();
   cv::Mat columns(size, CV_32FC1);
   cv::Mat rows(size, CV_32FC1);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const cv::Point2d source = Apply(picture_from_view, x, y);
+      const cv::Point2d source = Apply(image_from_view, x, y);
       columns.at<float>(y, x) = static_cast<float>(source.x);
       rows.at<float>(y, x) = static_cast<float>(source.y);
     }
   }
   cv::Mat view;
-  cv::remap(picture, view, columns, rows, cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
+  cv::remap(image, view, columns, rows, cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
   return view;
 }
 
@@ -75,36 +75,36 @@ double SampleNoise(Random& random) {
 }
 
 /// Other exposure, and noise.
-void ChangeGrey(Random& random, cv::Mat& view) {
+void ChangeGray(Random& random, cv::Mat& view) {
   const double gain = random.Uniform(0.75, 1.33);
   const double offset = random.Uniform(-20, 20);
   const double noise_sigma = random.Uniform(0, 5);
   for (int y = 0; y < view.rows; ++y) {
     for (int x = 0; x < view.cols; ++x) {
-      auto& grey = view.at<std::uint8_t>(y, x);
-      const double changed = 128 + gain * (grey - 128) + offset + noise_sigma * SampleNoise(random);
-      grey = static_cast<std::uint8_t>(std::clamp(changed + 0.5, 0.0, 255.0));
+      auto& gray = view.at<std::uint8_t>(y, x);
+      const double changed = 128 + gain * (gray - 128) + offset + noise_sigma * SampleNoise(random);
+      gray = static_cast<std::uint8_t>(std::clamp(changed + 0.5, 0.0, 255.0));
     }
   }
 }
 
 }  // namespace
 
-TrainingView MakeTrainingView(const cv::Mat& picture, std::uint64_t seed) {
+TrainingView MakeTrainingView(const cv::Mat& image, std::uint64_t seed) {
   constexpr double kLeastBlur = 0.3;  // px; less changes nothing.
   Random random(seed);
-  const cv::Matx33d centred = RandomHomography(picture.size(), random);
-  const cv::Rect2d box = BoxAround(centred, picture.size());
+  const cv::Matx33d centered = RandomHomography(image.size(), random);
+  const cv::Rect2d box = BoxAround(centered, image.size());
   const cv::Matx33d moving(1, 0, -box.x, 0, 1, -box.y, 0, 0, 1);
   TrainingView view;
-  view.view_from_picture = moving * centred;
+  view.view_from_image = moving * centered;
   const cv::Size size(static_cast<int>(box.width) + 1, static_cast<int>(box.height) + 1);
-  view.image = Warp(picture, view.view_from_picture, size);
+  view.image = Warp(image, view.view_from_image, size);
   const double blur_sigma = random.Uniform(0, 1);
   if (blur_sigma > kLeastBlur) {
     cv::GaussianBlur(view.image, view.image, cv::Size(), blur_sigma, blur_sigma);
   }
-  ChangeGrey(random, view.image);
+  ChangeGray(random, view.image);
   return view;
 }
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMarker = "synthetic.yaml";
 
-void WritePicture(const fs::path& file, const cv::Mat& image) {
+void WriteImage(const fs::path& file, const cv::Mat& image) {
   if (!cv::imwrite(file.string(), image)) {
     throw Error(fmt::format("{}: cannot be written", file.string()));
   }
@@ -124,10 +124,10 @@ void WriteKittiTexts(const Sequence& sequence, const fs::path& folder) {
   WriteText(folder / "sequences/00/calib.txt", calibration);
 }
 
-fs::path PictureFile(const Sequence& sequence, Layout layout, int frame) {
+fs::path ImageFile(const Sequence& sequence, Layout layout, int frame) {
   if (layout == Layout::kKitti) return fmt::format("sequences/00/image_0/{:06}.png", frame);
   const TimeNs time_ns = sequence.poses()[static_cast<std::size_t>(frame)].time_ns;
-  if (layout == Layout::kEuroc) return EurocPicture(time_ns);
+  if (layout == Layout::kEuroc) return EurocImage(time_ns);
   return fmt::format("rgb/{}.png", Seconds(time_ns));
 }
 
@@ -151,9 +151,9 @@ void WriteSequence(const Sequence& sequence, const fs::path& folder, Layout layo
   WriteText(folder / kMarker, Description(sequence));
   WriteText(folder / "camera.yaml", CameraYaml(sequence));
   WriteTexts(sequence, folder, layout);
-  MakeFolder((folder / PictureFile(sequence, layout, 0)).parent_path());
+  MakeFolder((folder / ImageFile(sequence, layout, 0)).parent_path());
   for (int i = 0; i < sequence.size(); ++i) {
-    WritePicture(folder / PictureFile(sequence, layout, i), sequence.Render(i));
+    WriteImage(folder / ImageFile(sequence, layout, i), sequence.Render(i));
     if (progress) progress(i + 1);
   }
 }

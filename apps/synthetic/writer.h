@@ -14,7 +14,7 @@ enum class Layout {
            ///< state_groundtruth_estimate0/data.csv}.
 };
 
-/// Writes the pictures and the truth of a sequence, `camera.yaml` (corvo's camera file) and
+/// Writes the images and the truth of a sequence, `camera.yaml` (corvo's camera file) and
 /// `synthetic.yaml` (what was rendered, by which the folder is known again). `progress`, if given,
 /// is called with the number of frames done.
 ///

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "apps/output/sightings_spool.h"
+#include "apps/output/observation_spool.h"
 #include "apps/run/outcome.h"
 #include "orb/error.h"
 #include "vo/evaluation/evaluation.h"
@@ -41,7 +41,7 @@ double Ate(const Trajectory& trajectory, const PoseSequence& truth) {
 
 void AddRefined(const Odometry& odometry, const Refinement& refinement, const PoseSequence& truth,
                 CameraRun& run) {
-  if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return;
+  if (refinement.adjustment.outcome != AdjustmentOutcome::kImproved) return;
   run.refined_ate = Ate(refinement.trajectory, truth);
   if (refinement.adjustment.covariance.size() == 0) return;
   run.refined_estimate = {odometry.camera_prior().Difference(refinement.adjustment.camera),
@@ -54,10 +54,11 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
                         const OdometryOptions& options, bool refine,
                         const std::function<void(const Odometry&)>& after_frame) {
   Odometry odometry(prior, options);
-  SightingsSpool spool;
-  if (refine) odometry.SetSightingsSink([&](const FrameSightings& frame) { spool.Add(frame); });
+  ObservationSpool spool;
+  if (refine)
+    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
   for (int i = 0; i < recording.size(); ++i) {
-    odometry.Process(recording.picture(i), recording.times[i]);
+    odometry.Process(recording.image(i), recording.times[i]);
     if (after_frame) after_frame(odometry);
   }
   const Trajectory trajectory = odometry.Finish();
@@ -65,11 +66,11 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
   run.ate = run.refined_ate = Ate(trajectory, recording.truth);
   run.posed_share = trajectory.PosedShare();
   run.segments = CountPosedSegments(trajectory);
-  run.contradicts_given_camera = odometry.contradicts_given_camera();
+  run.prior_rejected = odometry.prior_rejected();
   run.estimate = run.refined_estimate = odometry.camera_estimate();
   if (refine) {
-    const auto sightings = [&](const SightingsSink& visit) { spool.ForEach(visit); };
-    AddRefined(odometry, Refine(odometry, sightings), recording.truth, run);
+    const auto observations = [&](const ObservationCallback& visit) { spool.ForEach(visit); };
+    AddRefined(odometry, Refine(odometry, observations), recording.truth, run);
   }
   return run;
 }

@@ -22,13 +22,13 @@ struct CameraRun {
   double ate = 0;  ///< Root mean square after one Sim3, in the truth's unit; NaN: cannot be said.
   double posed_share = 0;  ///< Of the frames, 0 to 1.
   int segments = 0;
-  bool contradicts_given_camera = false;
+  bool prior_rejected = false;
   CameraEstimate estimate;  ///< Of the difference from the given camera, at the end.
   double refined_ate = 0;   ///< After refinement; without one, and where it fails, as before.
   CameraEstimate refined_estimate;  ///< Likewise.
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CameraRun, ate, posed_share, segments, contradicts_given_camera,
-                                   estimate, refined_ate, refined_estimate)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CameraRun, ate, posed_share, segments, prior_rejected, estimate,
+                                   refined_ate, refined_estimate)
 
 /// The camera is estimated if anything of it is free. `after_frame` is called after each
 /// frame.

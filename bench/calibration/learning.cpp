@@ -12,7 +12,7 @@
 namespace corvo::bench {
 namespace {
 
-constexpr double kMinK1 = 0.015, kMaxK1 = 0.032;  ///< Of KITTI's rectified pictures.
+constexpr double kMinK1 = 0.015, kMaxK1 = 0.032;  ///< Of KITTI's rectified images.
 
 /// From which frame on k1 is to be known; 0: of this scenario nothing is asked.
 int RequiredFrame(const std::string& scenario) {

@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/output/environment.h"
-#include "bench/calibration/honesty.h"
+#include "bench/calibration/consistency.h"
 #include "bench/calibration/learning.h"
 #include "bench/odometry/child_process.h"
 #include "bench/odometry/scenarios.h"
@@ -48,18 +48,18 @@ std::vector<Result> RunAll(const std::vector<std::function<Result()>>& tasks, in
   return results;
 }
 
-std::vector<HonestyTrial> RunHonestyTrials(const Arguments& arguments,
-                                           const OdometryOptions& options) {
-  std::vector<std::function<HonestyTrial()>> tasks;
-  const auto add = [&](FilmScene scene, int seed) {
-    tasks.push_back([=] { return RunHonestyTrial(scene, seed, options, arguments.refine); });
+std::vector<ConsistencyTrial> RunConsistencyTrials(const Arguments& arguments,
+                                                   const OdometryOptions& options) {
+  std::vector<std::function<ConsistencyTrial()>> tasks;
+  const auto add = [&](RenderScene scene, int seed) {
+    tasks.push_back([=] { return RunConsistencyTrial(scene, seed, options, arguments.refine); });
   };
   for (int seed = 0; seed < arguments.runs; ++seed) {
-    add(seed % 2 == 0 ? FilmScene::kStreet : FilmScene::kRoom, seed);
+    add(seed % 2 == 0 ? RenderScene::kStreet : RenderScene::kRoom, seed);
   }
   for (int seed = 0; seed < arguments.blind_runs; ++seed) {
-    add(FilmScene::kStraight, seed);
-    add(FilmScene::kRotation, seed);
+    add(RenderScene::kStraight, seed);
+    add(RenderScene::kRotation, seed);
   }
   return RunAll(tasks, arguments.jobs);
 }
@@ -143,7 +143,7 @@ void Plot(const std::vector<LearningTrial>& trials, const std::string& file) {
 void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--config", arguments.config, "options file instead of the defaults");
   app.add_option("--json", arguments.json, "where every figure is written");
-  app.add_option("--plot", arguments.plot, "where a picture of k1 over the frames is written");
+  app.add_option("--plot", arguments.plot, "where an image of k1 over the frames is written");
   app.add_option("--jobs", arguments.jobs, "trials at once")->check(CLI::Range(1, 1024));
   app.add_flag("--rendered", arguments.rendered, "rendered scenes alone");
   app.add_flag("--recorded", arguments.recorded, "recorded sequences alone");
@@ -157,7 +157,7 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
 }
 
 int Main(int argc, char** argv) {
-  CLI::App app("How honest, how soon and how useful corvo's estimate of the camera is.");
+  CLI::App app("How consistent, how soon and how useful corvo's estimate of the camera is.");
   Arguments arguments;
   AddOptions(app, arguments);
   CLI11_PARSE(app, argc, argv);
@@ -165,9 +165,9 @@ int Main(int argc, char** argv) {
       arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
   nlohmann::json json{{"environment", DescribeMachine()}};
   if (arguments.rendered || !arguments.recorded) {
-    const std::vector<HonestyTrial> trials = RunHonestyTrials(arguments, options);
-    json["honesty"] = trials;
-    fmt::print("{}\n", HonestyTables(trials, arguments.refine));
+    const std::vector<ConsistencyTrial> trials = RunConsistencyTrials(arguments, options);
+    json["consistency"] = trials;
+    fmt::print("{}\n", ConsistencyTables(trials, arguments.refine));
   }
   if (arguments.recorded || !arguments.rendered) {
     const std::vector<LearningTrial> trials = RunLearningTrials(arguments, options);

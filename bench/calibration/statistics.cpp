@@ -9,9 +9,9 @@ double NormalizedSquaredError(const Miss& miss) {
          static_cast<double>(miss.error.size());
 }
 
-Honesty Judge(const std::vector<Miss>& misses) {
-  Honesty honesty;
-  honesty.count = static_cast<int>(misses.size());
+Consistency Judge(const std::vector<Miss>& misses) {
+  Consistency consistency;
+  consistency.count = static_cast<int>(misses.size());
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(misses.front().error.size());
   Eigen::VectorXd num_within = zero, sum_squares = zero, sum_sigmas = zero;
   for (const Miss& miss : misses) {
@@ -19,12 +19,12 @@ Honesty Judge(const std::vector<Miss>& misses) {
     num_within.array() += (miss.error.array().abs() <= 3 * sigmas.array()).cast<double>();
     sum_squares += miss.error.cwiseAbs2();
     sum_sigmas += sigmas;
-    honesty.mean_normalized_squared_error += NormalizedSquaredError(miss) / honesty.count;
+    consistency.mean_normalized_squared_error += NormalizedSquaredError(miss) / consistency.count;
   }
-  honesty.share_within_3_sigma = num_within / honesty.count;
-  honesty.rms_error = (sum_squares / honesty.count).cwiseSqrt();
-  honesty.mean_sigma = sum_sigmas / honesty.count;
-  return honesty;
+  consistency.share_within_3_sigma = num_within / consistency.count;
+  consistency.rms_error = (sum_squares / consistency.count).cwiseSqrt();
+  consistency.mean_sigma = sum_sigmas / consistency.count;
+  return consistency;
 }
 
 }  // namespace corvo::bench

@@ -12,11 +12,11 @@ struct Miss {
   Eigen::MatrixXd covariance;
 };
 
-/// e^T C^-1 e / n of an error of n numbers: 1 on average if the covariance is honest.
+/// e^T C^-1 e / n of an error of n numbers: 1 on average if the covariance is consistent.
 double NormalizedSquaredError(const Miss& miss);
 
-/// How honest the covariances of many misses are. Vectors: one entry a parameter.
-struct Honesty {
+/// How consistent the covariances of many misses are. Vectors: one entry a parameter.
+struct Consistency {
   int count = 0;
   Eigen::VectorXd share_within_3_sigma;  ///< Of the misses, 0 to 1.
   Eigen::VectorXd rms_error;
@@ -25,6 +25,6 @@ struct Honesty {
 };
 
 /// Of at least one miss, all of the same parameters.
-Honesty Judge(const std::vector<Miss>& misses);
+Consistency Judge(const std::vector<Miss>& misses);
 
 }  // namespace corvo::bench

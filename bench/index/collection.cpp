@@ -28,17 +28,17 @@ int Draw(int min, int max, std::uint64_t& state) {
   return min + static_cast<int>(NextRandom(state) % static_cast<std::uint64_t>(max - min + 1));
 }
 
-/// Appends the descriptors of all pictures that match.
-void AppendPictures(const char* pattern, const orb::Extractor& extractor, Collection& collection) {
+/// Appends the descriptors of all images that match.
+void AppendImages(const char* pattern, const orb::Extractor& extractor, Collection& collection) {
   std::vector<cv::String> files;
   cv::glob(test::DataPath(pattern).string(), files);
   if (files.empty()) throw Error(test::DataPath(pattern).string() + ": no such files");
   for (const std::string& file : files) {
     const cv::Mat image = cv::imread(file, cv::IMREAD_GRAYSCALE);
-    if (image.empty()) throw Error(file + ": no picture that can be read");
+    if (image.empty()) throw Error(file + ": no image that can be read");
     const std::vector<orb::Descriptor> found = extractor.Extract(image).descriptors;
     collection.descriptors.insert(collection.descriptors.end(), found.begin(), found.end());
-    ++collection.num_pictures;
+    ++collection.num_images;
   }
 }
 
@@ -61,7 +61,7 @@ Collection MakeCollection(int size) {
   options.num_features = 1500;
   const orb::Extractor extractor(options);
   Collection collection;
-  for (const char* pattern : kPatterns) AppendPictures(pattern, extractor, collection);
+  for (const char* pattern : kPatterns) AppendImages(pattern, extractor, collection);
   std::vector<orb::Descriptor>& descriptors = collection.descriptors;
   collection.num_real = std::min(size, static_cast<int>(descriptors.size()));
   descriptors.resize(collection.num_real);

@@ -8,15 +8,15 @@
 
 namespace corvo::bench {
 
-/// Descriptors of pictures, and from which number on they are copies with some bits flipped.
+/// Descriptors of images, and from which number on they are copies with some bits flipped.
 struct Collection {
   std::vector<orb::Descriptor> descriptors;
-  int num_pictures = 0;
+  int num_images = 0;
   int num_real = 0;
 };
 
-/// `size` descriptors: 1500 of each picture of KITTI 03, 05 and 06 and 7-Scenes; if these are too
-/// few, copies of them with 1 to 8 bits flipped. Throws corvo::Error where pictures are missing.
+/// `size` descriptors: 1500 of each image of KITTI 03, 05 and 06 and 7-Scenes; if these are too
+/// few, copies of them with 1 to 8 bits flipped. Throws corvo::Error where images are missing.
 Collection MakeCollection(int size);
 
 /// `count` descriptors drawn from the collection, each with 25 to 50 bits flipped; the same for one

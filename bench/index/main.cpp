@@ -18,7 +18,7 @@ namespace corvo::bench {
 namespace {
 
 constexpr const char* kHelp =
-    "Measures corvo's index of descriptors against its exact scan, on descriptors of pictures in\n"
+    "Measures corvo's index of descriptors against its exact scan, on descriptors of images in\n"
     "the folder that CORVO_DATA names; queries are some of them with 25 to 50 bits flipped. Then\n"
     "both at the sizes of the relocaliser. Prints tables and writes everything as JSON. Times are\n"
     "processor time of one thread, the least of a number of repeats.";
@@ -77,7 +77,7 @@ void ReportIndices(const Collection& collection, const std::vector<orb::Descript
 }
 
 /// All keypoints of a frame at once, as the relocaliser asks: flipped copies, which suit the index
-/// best, and descriptors of other pictures, which are like nothing in it.
+/// best, and descriptors of other images, which are like nothing in it.
 void ReportRelocaliserSizes(const Collection& collection, const Arguments& args, Json& json) {
   fmt::print(
       "\n| 2000 queries among | queries | exact scan, ms | index, ms | index and its making, "
@@ -96,7 +96,7 @@ void ReportRelocaliserSizes(const Collection& collection, const Arguments& args,
       const IndexResult index =
           MeasureIndex(landmarks, queries, scan.nearest, orb::LshIndexOptions(), args.repeats);
       const double scan_ms = kQueries * scan.query_ms, index_ms = kQueries * index.mean_ms;
-      const char* kind = is_known ? "flipped copies" : "of other pictures";
+      const char* kind = is_known ? "flipped copies" : "of other images";
       fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.3f} |\n", size, kind, scan_ms, index_ms,
                  index_ms + 1e3 * index.build_s, index.recall);
       json["relocaliser"].push_back({{"landmarks", size},
@@ -121,11 +121,11 @@ int Main(int argc, char** argv) {
   const auto queries = MakeQueries(collection.descriptors, args.num_queries, 1);
   Json json = {{"environment", DescribeMachine()},
                {"descriptors", args.size},
-               {"of_pictures", collection.num_real},
-               {"pictures", collection.num_pictures},
+               {"of_images", collection.num_real},
+               {"images", collection.num_images},
                {"queries", args.num_queries}};
-  fmt::print("{} descriptors, {} of them of {} pictures; {} queries\n\n", args.size,
-             collection.num_real, collection.num_pictures, args.num_queries);
+  fmt::print("{} descriptors, {} of them of {} images; {} queries\n\n", args.size,
+             collection.num_real, collection.num_images, args.num_queries);
   const std::vector<orb::Nearest> exact = ReportScans(collection, queries, args, json);
   ReportIndices(collection, queries, exact, args, json);
   const FileResult file = MeasureFile(collection.descriptors);

@@ -34,7 +34,7 @@ int CountFound(const orb::LshIndex& index, std::span<const orb::Descriptor> quer
   int found = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const double start = ThreadTimeMs();
-    const std::vector<orb::Neighbour> nearest = index.FindNearest(queries[i], 1);
+    const std::vector<orb::Neighbor> nearest = index.FindNearest(queries[i], 1);
     least_ms[i] = std::min(least_ms[i], ThreadTimeMs() - start);
     found += !nearest.empty() && nearest[0].distance == exact[i].distance;
   }

@@ -27,8 +27,8 @@ int NumKeypoints(const Recording& recording, const OdometryOptions& options) {
 
 Cost MeasureCost(const Recording& recording, const OdometryOptions& options, int repeats) {
   cv::setNumThreads(1);
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < recording.size(); ++i) pictures.push_back(recording.picture(i));
+  std::vector<cv::Mat> images;
+  for (int i = 0; i < recording.size(); ++i) images.push_back(recording.image(i));
   const int keypoints = NumKeypoints(recording, options);
   const cv::Ptr<cv::ORB> orb = cv::ORB::create(keypoints);
   LeastTimes process_times(recording.size()), totals(2);
@@ -37,16 +37,16 @@ Cost MeasureCost(const Recording& recording, const OdometryOptions& options, int
                  Odometry odometry(recording.camera, options);
                  for (int i = 0; i < recording.size(); ++i) {
                    const double start = WallTimeMs();
-                   odometry.Process(pictures[i], recording.times[i]);
+                   odometry.Process(images[i], recording.times[i]);
                    process_times.Add(i, WallTimeMs() - start);
                  }
                  odometry.Finish();
                }));
     totals.Add(1, ProcessorMsOf([&] {
-                 for (const cv::Mat& picture : pictures) {
+                 for (const cv::Mat& image : images) {
                    std::vector<cv::KeyPoint> points;
                    cv::Mat descriptors;
-                   orb->detectAndCompute(picture, cv::noArray(), points, descriptors);
+                   orb->detectAndCompute(image, cv::noArray(), points, descriptors);
                  }
                }));
   }

@@ -6,7 +6,7 @@
 namespace corvo::bench {
 
 /// Processor time of Odometry, all its threads, against cv::ORB's detect-and-compute with as many
-/// keypoints on the same pictures; and how long the caller of Process waits, frame after frame
+/// keypoints on the same images; and how long the caller of Process waits, frame after frame
 /// without a pause.
 struct Cost {
   int keypoints = 0;
@@ -18,7 +18,7 @@ struct Cost {
 };
 
 /// Both take turns, sequence by sequence. The least of `repeats` runs counts, of each frame where
-/// they are told apart. Pictures are decoded beforehand.
+/// they are told apart. Images are decoded beforehand.
 Cost MeasureCost(const Recording& recording, const OdometryOptions& options, int repeats);
 
 }  // namespace corvo::bench

@@ -30,7 +30,8 @@ class Runner {
  public:
   Runner(const Recording& recording, const OdometryOptions& options)
       : recording_(recording), odometry_(recording.camera, options) {
-    odometry_.SetLandmarkSink([this](const FinishedLandmark& landmark) { spool_.Add(landmark); });
+    odometry_.SetLandmarkCallback(
+        [this](const MarginalizedLandmark& landmark) { spool_.Add(landmark); });
   }
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
@@ -39,9 +40,9 @@ class Runner {
     double total_ms = 0;
     const int before = next_;
     for (; next_ < frames; ++next_) {
-      const cv::Mat picture = recording_.picture(next_);
+      const cv::Mat image = recording_.image(next_);
       const double start_ms = ProcessTimeMs();
-      const FrameResult result = odometry_.Process(picture, recording_.times[next_]);
+      const FrameResult result = odometry_.Process(image, recording_.times[next_]);
       total_ms += ProcessTimeMs() - start_ms;
       num_posed_ += result.world_from_camera.has_value();
     }

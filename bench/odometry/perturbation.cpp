@@ -11,11 +11,11 @@
 namespace corvo::bench {
 namespace {
 
-std::vector<int> SelectPictures(int size, const Perturbation& perturbation) {
-  std::vector<int> pictures;
-  for (int i = perturbation.start; i < size; i += perturbation.stride) pictures.push_back(i);
-  if (perturbation.backwards) std::reverse(pictures.begin(), pictures.end());
-  return pictures;
+std::vector<int> SelectImages(int size, const Perturbation& perturbation) {
+  std::vector<int> images;
+  for (int i = perturbation.start; i < size; i += perturbation.stride) images.push_back(i);
+  if (perturbation.backwards) std::reverse(images.begin(), images.end());
+  return images;
 }
 
 /// Poses with the times `mirror - t`, ascending again.
@@ -25,17 +25,17 @@ PoseSequence Mirror(PoseSequence poses, TimeNs mirror) {
   return poses;
 }
 
-cv::Mat AddNoise(const cv::Mat& picture, double sigma, int index) {
+cv::Mat AddNoise(const cv::Mat& image, double sigma, int index) {
   cv::RNG random(1 + static_cast<std::uint64_t>(index));
-  cv::Mat noise(picture.size(), CV_32FC1), noisy;
+  cv::Mat noise(image.size(), CV_32FC1), noisy;
   random.fill(noise, cv::RNG::NORMAL, 0, sigma);
-  cv::add(picture, noise, noisy, cv::noArray(), CV_8U);
+  cv::add(image, noise, noisy, cv::noArray(), CV_8U);
   return noisy;
 }
 
-cv::Mat Compress(const cv::Mat& picture, int quality) {
+cv::Mat Compress(const cv::Mat& image, int quality) {
   std::vector<std::uint8_t> bytes;
-  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
+  cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
   return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
 }
 
@@ -55,26 +55,26 @@ std::vector<Perturbation> PerturbationSet() {
 }
 
 Recording Perturb(const Recording& recording, const Perturbation& perturbation) {
-  const std::vector<int> pictures = SelectPictures(recording.size(), perturbation);
+  const std::vector<int> images = SelectImages(recording.size(), perturbation);
   Recording perturbed = recording;
   perturbed.times.clear();
   const TimeNs mirror = recording.times.front() + recording.times.back();
-  for (const int i : pictures) {
+  for (const int i : images) {
     perturbed.times.push_back(perturbation.backwards ? mirror - recording.times[i]
                                                      : recording.times[i]);
   }
   if (perturbation.backwards) perturbed.truth = Mirror(recording.truth, mirror);
-  perturbed.picture = [pictures, perturbation, picture = recording.picture](int i) {
-    return Degrade(picture(pictures[i]), perturbation, pictures[i]);
+  perturbed.image = [images, perturbation, image = recording.image](int i) {
+    return Degrade(image(images[i]), perturbation, images[i]);
   };
   return perturbed;
 }
 
-cv::Mat Degrade(const cv::Mat& picture, const Perturbation& perturbation, int index) {
-  cv::Mat degraded = picture;
+cv::Mat Degrade(const cv::Mat& image, const Perturbation& perturbation, int index) {
+  cv::Mat degraded = image;
   if (perturbation.gain_swing != 0) {
     const double phase = 2 * std::numbers::pi * index / 50;
-    picture.convertTo(degraded, CV_8U, 1 + perturbation.gain_swing * std::sin(phase));
+    image.convertTo(degraded, CV_8U, 1 + perturbation.gain_swing * std::sin(phase));
   }
   if (perturbation.noise_sigma > 0) {
     degraded = AddNoise(degraded, perturbation.noise_sigma, index);

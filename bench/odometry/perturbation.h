@@ -13,10 +13,10 @@ namespace corvo::bench {
 /// A change to a recording that leaves what it shows the same.
 struct Perturbation {
   std::string title = "start 0";
-  int start = 0;           ///< Index of the first picture.
-  int stride = 1;          ///< Of so many pictures one is used.
-  bool backwards = false;  ///< The last picture comes first.
-  double noise_sigma = 0;  ///< Of Gaussian noise on every pixel, grey.
+  int start = 0;           ///< Index of the first image.
+  int stride = 1;          ///< Of so many images one is used.
+  bool backwards = false;  ///< The last image comes first.
+  double noise_sigma = 0;  ///< Of Gaussian noise on every pixel, gray.
   double gain_swing = 0;   ///< Brightness is multiplied by 1 + gain_swing sin(2 pi i / 50).
   int jpeg_quality = 0;    ///< Compressed and decompressed again; 0: not.
   bool is_judged = true;   ///< false: reported, but in no median.
@@ -26,11 +26,11 @@ struct Perturbation {
 /// compression, and time reversed.
 std::vector<Perturbation> PerturbationSet();
 
-/// The pictures that the perturbation leaves, in its order and changed by it. Backwards, times and
+/// The images that the perturbation leaves, in its order and changed by it. Backwards, times and
 /// truth are mirrored.
 Recording Perturb(const Recording& recording, const Perturbation& perturbation);
 
-/// The picture with index `index` after noise, gain and compression. Deterministic.
-cv::Mat Degrade(const cv::Mat& picture, const Perturbation& perturbation, int index);
+/// The image with index `index` after noise, gain and compression. Deterministic.
+cv::Mat Degrade(const cv::Mat& image, const Perturbation& perturbation, int index);
 
 }  // namespace corvo::bench

@@ -12,7 +12,7 @@
 namespace corvo::bench {
 namespace {
 
-constexpr double kFrameRateHz = 30;  // Of folders of pictures without times: 7-Scenes.
+constexpr double kFrameRateHz = 30;  // Of folders of images without times: 7-Scenes.
 
 Camera ChooseCamera(const RecordingFiles& files, const ImageList& list) {
   if (!files.camera.empty()) return ReadCameraFile(files.camera).camera;
@@ -28,16 +28,16 @@ Recording ReadRecording(const RecordingFiles& files, int max_count) {
   for (const TimedFile& image : list.images) recording.times.push_back(image.time_ns);
   if (!files.truth.empty()) recording.truth = ReadGroundTruth(files.truth, recording.times);
   if (recording.size() > max_count) recording.times.resize(max_count);
-  recording.picture = [images = std::move(list.images)](int i) {
-    return ReadGreyImage(images[i].file);
+  recording.image = [images = std::move(list.images)](int i) {
+    return ReadGrayImage(images[i].file);
   };
   return recording;
 }
 
-Recording Film(const synthetic::Sequence& sequence) {
+Recording RenderRecording(const synthetic::Sequence& sequence) {
   Recording recording{sequence.camera(), {}, sequence.poses(), {}};
   for (const TimedPose& pose : sequence.poses()) recording.times.push_back(pose.time_ns);
-  recording.picture = [sequence](int i) { return sequence.Render(i); };
+  recording.image = [sequence](int i) { return sequence.Render(i); };
   return recording;
 }
 

@@ -15,9 +15,9 @@ namespace corvo::bench {
 /// What one camera took, and the truth.
 struct Recording {
   Camera camera;
-  std::vector<TimeNs> times;                  ///< Ascending, one a picture.
-  PoseSequence truth;                         ///< Of the camera; empty where it is not known.
-  std::function<cv::Mat(int index)> picture;  ///< 8-bit grey, of the camera's size.
+  std::vector<TimeNs> times;                ///< Ascending, one an image.
+  PoseSequence truth;                       ///< Of the camera; empty where it is not known.
+  std::function<cv::Mat(int index)> image;  ///< 8-bit gray, of the camera's size.
 
   int size() const { return static_cast<int>(times.size()); }
 };
@@ -29,11 +29,11 @@ struct RecordingFiles {
   std::filesystem::path truth;
 };
 
-/// The first `max_count` pictures. Throws corvo::Error where something cannot be read, and where
+/// The first `max_count` images. Throws corvo::Error where something cannot be read, and where
 /// there is no calibration.
 Recording ReadRecording(const RecordingFiles& files, int max_count);
 
-/// Renders the pictures when they are asked for.
-Recording Film(const synthetic::Sequence& sequence);
+/// Renders the images when they are asked for.
+Recording RenderRecording(const synthetic::Sequence& sequence);
 
 }  // namespace corvo::bench

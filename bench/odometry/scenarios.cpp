@@ -27,7 +27,7 @@ Scenario RecordedKitti(const std::string& number, const std::string& camera) {
                   "kitti/sequences/" + number, "kitti/poses/" + number + ".txt", camera);
 }
 
-/// At half the frame rate the car turns, or drives, too far from one picture to the next.
+/// At half the frame rate the car turns, or drives, too far from one image to the next.
 Scenario OnlyReportHalfRate(Scenario scenario) {
   for (Perturbation& perturbation : scenario.perturbations) {
     perturbation.is_judged = perturbation.stride == 1;
@@ -35,14 +35,14 @@ Scenario OnlyReportHalfRate(Scenario scenario) {
   return scenario;
 }
 
-/// Played from the beginning again and again, without a truth. Pictures are rendered beforehand.
+/// Played from the beginning again and again, without a truth. Images are rendered beforehand.
 Recording Repeat(const Recording& recording, int frames) {
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < recording.size(); ++i) pictures.push_back(recording.picture(i));
+  std::vector<cv::Mat> images;
+  for (int i = 0; i < recording.size(); ++i) images.push_back(recording.image(i));
   Recording repeated{recording.camera, {}, {}, {}};
   const TimeNs frame_time = recording.times[1] - recording.times[0];
   for (int i = 0; i < frames; ++i) repeated.times.push_back(i * frame_time);
-  repeated.picture = [pictures](int i) { return pictures[i % pictures.size()]; };
+  repeated.image = [images](int i) { return images[i % images.size()]; };
   return repeated;
 }
 
@@ -71,7 +71,7 @@ std::vector<Scenario> RenderedScenarios() {
     synthetic::SequenceOptions options;
     options.frames = 2700;
     options.effects.moving_share = 0.2;
-    return Film(synthetic::MakeStreet(options));
+    return RenderRecording(synthetic::MakeStreet(options));
   };
   const auto room = [] {
     synthetic::SequenceOptions options;
@@ -80,7 +80,7 @@ std::vector<Scenario> RenderedScenarios() {
     options.effects.dark = {4, 3};
     options.effects.blur = {12, 2};
     options.turn = {16, 2};
-    return Film(synthetic::MakeRoom(options));
+    return RenderRecording(synthetic::MakeRoom(options));
   };
   return {{"rendered street, 2 km, 20% moving", street, {Perturbation()}},
           {"rendered room, 3 s dark, 2 s blur, fast turn", room, {Perturbation()}}};
@@ -91,13 +91,13 @@ std::vector<Scenario> EnduranceScenarios(int frames) {
     synthetic::SequenceOptions options;
     options.frames = 1500;  // Enough that its beginning is forgotten at its end.
     options.width = 480;
-    return Repeat(Film(synthetic::MakeStreet(options)), frames);
+    return Repeat(RenderRecording(synthetic::MakeStreet(options)), frames);
   };
   const auto room = [frames] {
     synthetic::SequenceOptions options;
     options.frames = frames;
     options.width = 320;
-    return Film(synthetic::MakeRoom(options));
+    return RenderRecording(synthetic::MakeRoom(options));
   };
   return {{"street, again and again", street, {Perturbation()}},
           {"room, round and round", room, {Perturbation()}}};

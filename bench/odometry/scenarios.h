@@ -19,11 +19,11 @@ struct Scenario {
 /// The sequences of the test data, each under every perturbation.
 std::vector<Scenario> RecordedScenarios();
 
-/// In small pictures: a street of a kilometre, driven again and again with a cut in between, and a
+/// In small images: a street of a kilometer, driven again and again with a cut in between, and a
 /// room, walked round and round.
 std::vector<Scenario> EnduranceScenarios(int frames);
 
-/// Two kilometres of a street with a fifth of the picture moving, and a room with three seconds of
+/// Two kilometers of a street with a fifth of the image moving, and a room with three seconds of
 /// dark and two of blur.
 std::vector<Scenario> RenderedScenarios();
 

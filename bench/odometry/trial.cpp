@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/output/sightings_spool.h"
+#include "apps/output/observation_spool.h"
 #include "apps/run/outcome.h"
 #include "bench/clocks.h"
 #include "orb/error.h"
@@ -68,20 +68,22 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
 
 TrialResult RunTrial(const Recording& recording, const OdometryOptions& options, bool refine) {
   Odometry odometry(recording.camera, options);
-  SightingsSpool spool;
-  if (refine) odometry.SetSightingsSink([&](const FrameSightings& frame) { spool.Add(frame); });
+  ObservationSpool spool;
+  if (refine)
+    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
   double wall_ms = 0, processor_ms = 0;
   for (int i = 0; i < recording.size(); ++i) {
-    const cv::Mat picture = recording.picture(i);
+    const cv::Mat image = recording.image(i);
     const double wall = WallTimeMs(), processor = ProcessTimeMs();
-    odometry.Process(picture, recording.times[i]);
+    odometry.Process(image, recording.times[i]);
     wall_ms += WallTimeMs() - wall;
     processor_ms += ProcessTimeMs() - processor;
   }
   Trajectory trajectory = odometry.Finish();
   if (refine) {
-    trajectory =
-        Refine(odometry, [&](const SightingsSink& visit) { spool.ForEach(visit); }).trajectory;
+    trajectory = Refine(odometry, [&](const ObservationCallback& visit) {
+                   spool.ForEach(visit);
+                 }).trajectory;
   }
   TrialResult result = Evaluated(trajectory, recording.truth);
   result.wall_ms = wall_ms / result.frames;

@@ -21,7 +21,7 @@ struct Contender {
 std::vector<Contender> MakeContenders(int num_features);
 
 /// The `num_features` keypoints of highest response; between equals the first. Octaves are whole
-/// numbers from 0, or -1 for cv::SIFT's doubled picture.
+/// numbers from 0, or -1 for cv::SIFT's doubled image.
 DescribedPoints Describe(const Contender& contender, const cv::Mat& image, int num_features);
 
 }  // namespace corvo::bench

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHelp =
-    "Measures corvo's features and OpenCV's side by side, on pictures of the folder that\n"
+    "Measures corvo's features and OpenCV's side by side, on images of the folder that\n"
     "CORVO_DATA names: turned, scaled, blurred and otherwise changed ones, and Oxford's "
     "sequences.\n"
     "Prints a table of what is required and one of everything, and writes them as quality.md, "
@@ -47,7 +47,7 @@ constexpr SpreadFolder kSpreadFolders[] = {
     {"EuRoC MH_01", "euroc/MH_01_easy/mav0/cam0/data/*.png"},
 };
 
-/// On average over 20 pictures that are spread over the folder.
+/// On average over 20 images that are spread over the folder.
 double MeanSpread(const Contender& contender, const SpreadFolder& folder, const Arguments& args) {
   std::vector<cv::String> files;
   cv::glob(test::DataPath(folder.pattern).string(), files);
@@ -61,15 +61,15 @@ double MeanSpread(const Contender& contender, const SpreadFolder& folder, const 
   return sum / static_cast<double>(count);
 }
 
-std::vector<OctaveBias> BiasOverAll(const Contender& contender,
-                                    const std::vector<Picture>& pictures, int num_features) {
+std::vector<OctaveBias> BiasOverAll(const Contender& contender, const std::vector<Image>& images,
+                                    int num_features) {
   constexpr double kReachPx = 6;
   std::vector<OctaveBias> all;
-  for (const Picture& picture : pictures) {
+  for (const Image& image : images) {
     cv::Mat turned;
-    cv::rotate(picture.image, turned, cv::ROTATE_180);
+    cv::rotate(image.image, turned, cv::ROTATE_180);
     for (const OctaveBias& bias :
-         MeasureBias(Describe(contender, picture.image, num_features).points,
+         MeasureBias(Describe(contender, image.image, num_features).points,
                      Describe(contender, turned, num_features).points, turned.size(), kReachPx)) {
       all.push_back(bias);
     }
@@ -78,10 +78,9 @@ std::vector<OctaveBias> BiasOverAll(const Contender& contender,
 }
 
 /// What is measured, in order.
-std::vector<PairTask> AllTasks(const std::vector<Picture>& pictures, const Arguments& args) {
+std::vector<PairTask> AllTasks(const std::vector<Image>& images, const Arguments& args) {
   std::vector<PairTask> tasks;
-  for (const auto& part :
-       {RotationTasks(pictures), ChangeTasks(pictures), OxfordTasks(args.oxford)}) {
+  for (const auto& part : {RotationTasks(images), ChangeTasks(images), OxfordTasks(args.oxford)}) {
     tasks.insert(tasks.end(), part.begin(), part.end());
   }
   if (!args.short_run) return tasks;
@@ -91,8 +90,8 @@ std::vector<PairTask> AllTasks(const std::vector<Picture>& pictures, const Argum
 }
 
 QualityReport MeasureAll(const Arguments& args) {
-  const std::vector<Picture> pictures = ReadPictures();
-  const std::vector<PairTask> tasks = AllTasks(pictures, args);
+  const std::vector<Image> images = ReadImages();
+  const std::vector<PairTask> tasks = AllTasks(images, args);
   QualityReport report;
   for (const SpreadFolder& folder : kSpreadFolders) report.spread_folders.emplace_back(folder.name);
   for (const Contender& contender : MakeContenders(args.num_features)) {
@@ -102,7 +101,7 @@ QualityReport MeasureAll(const Arguments& args) {
       report.pairs.push_back(result);
     }
     KeypointResult keypoints = {
-        contender.name, {}, BiasOverAll(contender, pictures, args.num_features)};
+        contender.name, {}, BiasOverAll(contender, images, args.num_features)};
     for (const SpreadFolder& folder : kSpreadFolders) {
       keypoints.spread.push_back(MeanSpread(contender, folder, args));
     }
@@ -135,7 +134,7 @@ int Main(int argc, char** argv) {
   Arguments args;
   CLI::App app(kHelp);
   app.add_option("-o,--output", args.output, "Folder for what is written")->required();
-  app.add_option("--features", args.num_features, "Keypoints a picture")
+  app.add_option("--features", args.num_features, "Keypoints an image")
       ->check(CLI::Range(1, 100000));
   app.add_option("--oxford", args.oxford, "Sequences below oxford_affine");
   app.add_flag("--short", args.short_run, "One pair in 24: to see that everything runs");

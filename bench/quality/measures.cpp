@@ -24,7 +24,7 @@ std::vector<cv::Point2d> MapAll(const cv::Matx33d& target_from_source, const Poi
   return mapped;
 }
 
-/// Whether a pixel's centre rounds to one of a picture.
+/// Whether a pixel's center rounds to one of an image.
 bool IsInside(const cv::Point2d& point, cv::Size size) {
   return point.x > -0.5 && point.y > -0.5 && point.x < size.width - 0.5 &&
          point.y < size.height - 0.5;
@@ -91,7 +91,7 @@ void CountMatches(const PointPair& pair, const std::vector<cv::Point2d>& mapped,
 }  // namespace
 
 Measures& Measures::operator+=(const Measures& other) {
-  pictures += other.pictures;
+  images += other.images;
   first += other.first;
   fewer += other.fewer;
   repeated += other.repeated;
@@ -108,7 +108,7 @@ Measures Measure(const PointPair& pair) {
   const std::vector<bool> second =
       FindInside(MapAll(pair.second_from_first.inv(), pair.second.points), pair.first_size);
   Measures measures;
-  measures.pictures = 1;
+  measures.images = 1;
   measures.first = static_cast<int>(std::count(first.begin(), first.end(), true));
   measures.fewer =
       std::min(measures.first, static_cast<int>(std::count(second.begin(), second.end(), true)));

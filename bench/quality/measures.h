@@ -8,7 +8,7 @@
 
 namespace corvo::bench {
 
-inline constexpr double kTolerancePx = 3;  ///< In the second picture.
+inline constexpr double kTolerancePx = 3;  ///< In the second image.
 
 /// Keypoints and what describes them, row by row.
 struct DescribedPoints {
@@ -22,22 +22,22 @@ struct PointPair {
   DescribedPoints first;
   DescribedPoints second;
   cv::Matx33d second_from_first;
-  cv::Size first_size;  ///< Of the first picture, px.
+  cv::Size first_size;  ///< Of the first image, px.
   cv::Size second_size;
 };
 
-/// Counts of one pair or, summed, of several. Points count where they map into the other picture.
-/// One of the first picture is repeated if one of the second is within kTolerancePx. Pairs are of
+/// Counts of one pair or, summed, of several. Points count where they map into the other image.
+/// One of the first image is repeated if one of the second is within kTolerancePx. Pairs are of
 /// such points too, but one to one, the nearest first. A match leads from a point to the one of
-/// nearest descriptor, among all of the other picture, and is correct if that is within
+/// nearest descriptor, among all of the other image, and is correct if that is within
 /// kTolerancePx.
 struct Measures {
-  int pictures = 0;         ///< Pairs of pictures.
-  int first = 0;            ///< Points of the first picture that count.
-  int fewer = 0;            ///< Points of the picture that has fewer that count.
+  int images = 0;           ///< Pairs of images.
+  int first = 0;            ///< Points of the first image that count.
+  int fewer = 0;            ///< Points of the image that has fewer that count.
   int repeated = 0;         ///< Of first.
   int paired = 0;           ///< Pairs.
-  int nearest_correct = 0;  ///< Correct matches of the first picture's points that count.
+  int nearest_correct = 0;  ///< Correct matches of the first image's points that count.
   int mutual = 0;           ///< Matches from these both ways.
   int mutual_correct = 0;   ///< Correct ones of them.
 
@@ -59,7 +59,7 @@ struct Measures {
 
 Measures Measure(const PointPair& pair);
 
-/// Share of the 32x24 equal cells of a picture that have a point.
+/// Share of the 32x24 equal cells of an image that have a point.
 double Spread(const std::vector<cv::KeyPoint>& points, cv::Size size);
 
 }  // namespace corvo::bench

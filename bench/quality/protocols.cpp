@@ -14,26 +14,26 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-cv::Mat ReadGrey(const std::filesystem::path& file) {
+cv::Mat ReadGray(const std::filesystem::path& file) {
   cv::Mat image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw Error(file.string() + ": no picture that can be read");
+  if (image.empty()) throw Error(file.string() + ": no image that can be read");
   return image;
 }
 
-/// Picture `number` of a sequence, from 1: a .ppm or, if grey, a .pgm.
+/// Image `number` of a sequence, from 1: a .ppm or, if gray, a .pgm.
 cv::Mat ReadOxford(const std::string& name, int number) {
   const auto file = test::DataPath(fmt::format("oxford_affine/{}/img{}", name, number)).string();
-  return ReadGrey(std::filesystem::exists(file + ".ppm") ? file + ".ppm" : file + ".pgm");
+  return ReadGray(std::filesystem::exists(file + ".ppm") ? file + ".ppm" : file + ".pgm");
 }
 
 using Change = View (*)(const cv::Mat&, double);
 
 void AppendSeries(const std::string& series, Change change, const std::vector<double>& parameters,
-                  const std::vector<Picture>& pictures, std::vector<PairTask>& tasks) {
-  for (const Picture& picture : pictures) {
+                  const std::vector<Image>& images, std::vector<PairTask>& tasks) {
+  for (const Image& image : images) {
     for (const double parameter : parameters) {
-      tasks.push_back({series, picture.name, parameter, false, picture.image,
-                       [=] { return change(picture.image, parameter); }});
+      tasks.push_back({series, image.name, parameter, false, image.image,
+                       [=] { return change(image.image, parameter); }});
     }
   }
 }
@@ -50,28 +50,28 @@ View CompressWhole(const cv::Mat& image, double quality) {
 
 }  // namespace
 
-std::vector<PairTask> RotationTasks(const std::vector<Picture>& pictures) {
+std::vector<PairTask> RotationTasks(const std::vector<Image>& images) {
   std::vector<PairTask> tasks;
   for (const int sigma : {0, 10, 20}) {
-    for (const Picture& picture : pictures) {
+    for (const Image& image : images) {
       for (int angle = 0; angle < 360; angle += 10) {
-        tasks.push_back({fmt::format("rotation, sigma {}", sigma), picture.name,
-                         static_cast<double>(angle), true, picture.image,
-                         [=] { return RotateNoisily(picture.image, angle, sigma); }});
+        tasks.push_back({fmt::format("rotation, sigma {}", sigma), image.name,
+                         static_cast<double>(angle), true, image.image,
+                         [=] { return RotateNoisily(image.image, angle, sigma); }});
       }
     }
   }
   return tasks;
 }
 
-std::vector<PairTask> ChangeTasks(const std::vector<Picture>& pictures) {
+std::vector<PairTask> ChangeTasks(const std::vector<Image>& images) {
   std::vector<PairTask> tasks;
-  AppendSeries("scale", Scale, {0.5, 0.6, 0.7, 0.8, 0.9, 1.1, 1.25, 1.4, 1.6, 1.8, 2}, pictures,
+  AppendSeries("scale", Scale, {0.5, 0.6, 0.7, 0.8, 0.9, 1.1, 1.25, 1.4, 1.6, 1.8, 2}, images,
                tasks);
-  AppendSeries("blur", Blur, {0.5, 1, 1.5, 2, 3, 4, 5}, pictures, tasks);
-  AppendSeries("jpeg", CompressWhole, {90, 70, 50, 30, 20, 10, 5}, pictures, tasks);
-  AppendSeries("brightness", AddBrightness, {-90, -60, -30, 30, 60, 90}, pictures, tasks);
-  AppendSeries("contrast", ChangeContrast, {0.25, 0.5, 0.75, 1.5, 2, 3}, pictures, tasks);
+  AppendSeries("blur", Blur, {0.5, 1, 1.5, 2, 3, 4, 5}, images, tasks);
+  AppendSeries("jpeg", CompressWhole, {90, 70, 50, 30, 20, 10, 5}, images, tasks);
+  AppendSeries("brightness", AddBrightness, {-90, -60, -30, 30, 60, 90}, images, tasks);
+  AppendSeries("contrast", ChangeContrast, {0.25, 0.5, 0.75, 1.5, 2, 3}, images, tasks);
   return tasks;
 }
 
@@ -89,14 +89,14 @@ std::vector<PairTask> OxfordTasks(const std::vector<std::string>& names) {
   return tasks;
 }
 
-std::vector<Picture> ReadPictures() {
-  std::vector<Picture> pictures;
+std::vector<Image> ReadImages() {
+  std::vector<Image> images;
   for (const std::string name : {"graf", "boat", "bikes"}) {
-    pictures.push_back({name, ReadOxford(name, 1)});
+    images.push_back({name, ReadOxford(name, 1)});
   }
-  pictures.push_back(
-      {"7scenes", ReadGrey(test::DataPath("7scenes/redkitchen/frame-000000.color.jpg"))});
-  return pictures;
+  images.push_back(
+      {"7scenes", ReadGray(test::DataPath("7scenes/redkitchen/frame-000000.color.jpg"))});
+  return images;
 }
 
 }  // namespace corvo::bench

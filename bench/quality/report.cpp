@@ -27,15 +27,15 @@ const KeypointResult& KeypointsOf(const QualityReport& report, const std::string
 std::string CorrectMatches(const Measures& sum, const std::string& series) {
   const bool is_oxford = series.rfind("oxford", 0) == 0;
   return fmt::format("{:.0f}", is_oxford ? sum.mutual_correct
-                                         : static_cast<double>(sum.mutual_correct) / sum.pictures);
+                                         : static_cast<double>(sum.mutual_correct) / sum.images);
 }
 
 using Share = double (Measures::*)() const;
 
 template <typename Text>
-std::string Line(const QualityReport& report, const std::string& measure,
-                 const std::string& pictures, const Text& text) {
-  std::string line = fmt::format("| {} | {} |", measure, pictures);
+std::string Line(const QualityReport& report, const std::string& measure, const std::string& images,
+                 const Text& text) {
+  std::string line = fmt::format("| {} | {} |", measure, images);
   for (const std::string& contender : report.contenders) {
     line += fmt::format(" {} |", text(contender));
   }
@@ -95,7 +95,7 @@ std::string Line(const Requirement& requirement) {
                      reached);
 }
 
-// References that are not measured here are ORB-SLAM's, measured on the same pictures.
+// References that are not measured here are ORB-SLAM's, measured on the same images.
 
 std::vector<Requirement> GridRequirements(const QualityReport& report) {
   const std::string grid = "corvo, grid";
@@ -103,7 +103,7 @@ std::vector<Requirement> GridRequirements(const QualityReport& report) {
   const double graf[] = {234, 117, 52};
   for (int i = 0; i < 3; ++i) {
     const Measures sum = SumOf(report.pairs, grid, "oxford graf", i + 2);
-    if (sum.pictures == 0) continue;
+    if (sum.images == 0) continue;
     requirements.push_back({fmt::format("grid: mutual correct, graf 1-{}", i + 2),
                             static_cast<double>(sum.mutual_correct), graf[i], 1.10 * graf[i],
                             1.25 * graf[i]});
@@ -160,7 +160,7 @@ double KeypointResult::MaxBiasPx() const {
 }
 
 std::string QualityTable(const QualityReport& report) {
-  std::string table = "| measure | pictures |";
+  std::string table = "| measure | images |";
   std::string rule = "|---|---|";
   for (const std::string& contender : report.contenders) {
     table += fmt::format(" {} |", contender);
@@ -191,7 +191,7 @@ nlohmann::ordered_json ToJson(const QualityReport& report) {
     const Measures& measures = result.measures;
     json["pairs"].push_back({{"contender", result.contender},
                              {"series", result.series},
-                             {"picture", result.picture},
+                             {"image", result.image},
                              {"parameter", result.parameter},
                              {"keypoints", measures.first},
                              {"keypoints_of_fewer", measures.fewer},

@@ -14,7 +14,7 @@ namespace corvo::bench {
 struct KeypointResult {
   std::string contender;
   std::vector<double> spread;    ///< Of each of the folders, on average.
-  std::vector<OctaveBias> bias;  ///< Over all pictures.
+  std::vector<OctaveBias> bias;  ///< Over all images.
 
   /// The greatest of octaves with at least 50 pairs, px.
   double MaxBiasPx() const;

@@ -9,7 +9,7 @@
 namespace corvo::bench {
 namespace {
 
-/// What lies within the circle inscribed in the picture.
+/// What lies within the circle inscribed in the image.
 DescribedPoints KeepInCircle(const DescribedPoints& described, cv::Size size) {
   const double radius = 0.5 * (std::min(size.width, size.height) - 1);
   DescribedPoints kept;
@@ -31,17 +31,17 @@ std::vector<PairResult> RunTasks(const Contender& contender, const std::vector<P
   std::map<std::string, DescribedPoints> firsts;
   std::vector<PairResult> results;
   for (const PairTask& task : tasks) {
-    if (!firsts.contains(task.picture)) {
-      firsts[task.picture] = Describe(contender, task.first, num_features);
+    if (!firsts.contains(task.image)) {
+      firsts[task.image] = Describe(contender, task.first, num_features);
     }
     const View view = task.second();
-    PointPair pair = {firsts[task.picture], Describe(contender, view.image, num_features),
+    PointPair pair = {firsts[task.image], Describe(contender, view.image, num_features),
                       view.from_first, task.first.size(), view.image.size()};
     if (task.in_circle) {
       pair.first = KeepInCircle(pair.first, pair.first_size);
       pair.second = KeepInCircle(pair.second, pair.second_size);
     }
-    results.push_back({contender.name, task.series, task.picture, task.parameter, Measure(pair)});
+    results.push_back({contender.name, task.series, task.image, task.parameter, Measure(pair)});
   }
   return results;
 }

@@ -12,12 +12,12 @@ namespace corvo::bench {
 struct PairResult {
   std::string contender;
   std::string series;
-  std::string picture;
+  std::string image;
   double parameter = 0;
   Measures measures;
 };
 
-/// Describes both pictures of every task and measures the pair.
+/// Describes both images of every task and measures the pair.
 std::vector<PairResult> RunTasks(const Contender& contender, const std::vector<PairTask>& tasks,
                                  int num_features);
 

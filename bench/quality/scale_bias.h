@@ -10,10 +10,10 @@ namespace corvo::bench {
 struct OctaveBias {
   int octave = 0;
   int pairs = 0;
-  cv::Point2d px;  ///< Of the picture.
+  cv::Point2d px;  ///< Of the image.
 };
 
-/// From the keypoints of a picture and of the same turned by half, which interpolates nothing: what
+/// From the keypoints of an image and of the same turned by half, which interpolates nothing: what
 /// lies at x is found again at (width - 1, height - 1) - x, but for a constant error, which moves
 /// both the same way. Pairs are of one octave, the nearest first, each point in one, and at most
 /// `reach_px` apart.

@@ -8,13 +8,13 @@
 
 namespace corvo::bench {
 
-/// A picture, and another that shows the same plane.
+/// An image, and another that shows the same plane.
 struct View {
   cv::Mat image;
-  cv::Matx33d from_first = cv::Matx33d::eye();  ///< Takes pixels of the first picture to this one.
+  cv::Matx33d from_first = cv::Matx33d::eye();  ///< Takes pixels of the first image to this one.
 };
 
-/// Turned about its centre by an angle from x towards y, bilinearly; black where there is nothing.
+/// Turned about its center by an angle from x towards y, bilinearly; black where there is nothing.
 View Rotate(const cv::Mat& image, double angle_deg);
 
 /// By area where it shrinks, bilinearly where it grows.
@@ -24,7 +24,7 @@ View Blur(const cv::Mat& image, double sigma_px);
 View CompressJpeg(const cv::Mat& image, int quality);
 /// Values outside of 0 to 255 saturate.
 View AddBrightness(const cv::Mat& image, double offset);
-/// About grey 128; saturates.
+/// About gray 128; saturates.
 View ChangeContrast(const cv::Mat& image, double gain);
 
 /// N(0, sigma) at every pixel; the same for one size and seed.

@@ -17,7 +17,7 @@ constexpr int kCircle = 16;
 constexpr int kHalfCircle = kCircle / 2;
 using CircleOffsets = std::array<std::ptrdiff_t, kCircle>;
 
-/// Of the pixels of the circle from its centre, from the top clockwise.
+/// Of the pixels of the circle from its center, from the top clockwise.
 inline CircleOffsets MakeCircle(std::ptrdiff_t stride) {
   constexpr std::array<int, kCircle> kX = {0, 1, 2, 3, 3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1};
   CircleOffsets offsets{};
@@ -39,12 +39,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<std::uint8_t>;
 using Lanes = hn::Vec<Tag>;
 
-/// By how much the brightest arc of 9 exceeds the centre, or the centre the darkest arc; else 0.
+/// By how much the brightest arc of 9 exceeds the center, or the center the darkest arc; else 0.
 /// Arcs come in twos that share 8 pixels, from even places on; windows of 8 are built from windows
 /// of 2 and 4.
 HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& offsets) {
   const Tag d;
-  const Lanes centre = hn::LoadU(d, pixels);
+  const Lanes center = hn::LoadU(d, pixels);
   Lanes circle[kCircle];
   Lanes least[kHalfCircle];
   Lanes greatest[kHalfCircle];
@@ -69,7 +69,7 @@ HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& of
     brightest = hn::Max(brightest, hn::Min(least8, hn::Max(before, after)));
     darkest = hn::Min(darkest, hn::Max(greatest8, hn::Min(before, after)));
   }
-  return hn::Max(hn::SaturatedSub(brightest, centre), hn::SaturatedSub(centre, darkest));
+  return hn::Max(hn::SaturatedSub(brightest, center), hn::SaturatedSub(center, darkest));
 }
 
 /// Whether any of a block's pixels may have an arc of 9 of contrast above the threshold: such an
@@ -77,7 +77,7 @@ HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& of
 HWY_INLINE bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& circle,
                               Lanes threshold) {
   const Tag d;
-  const Lanes centre = hn::LoadU(d, pixels);
+  const Lanes center = hn::LoadU(d, pixels);
   Lanes above = hn::Set(d, 255);
   Lanes below = hn::Zero(d);
   for (int k = 0; k < kHalfCircle; k += 2) {
@@ -86,7 +86,7 @@ HWY_INLINE bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& c
     above = hn::Min(above, hn::Max(a, b));
     below = hn::Max(below, hn::Min(a, b));
   }
-  const Lanes bound = hn::Max(hn::SaturatedSub(above, centre), hn::SaturatedSub(centre, below));
+  const Lanes bound = hn::Max(hn::SaturatedSub(above, center), hn::SaturatedSub(center, below));
   return !hn::AllFalse(d, hn::Gt(bound, threshold));
 }
 
@@ -111,7 +111,7 @@ void ScoreFastRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, i
   }
 }
 
-/// Bit x: whether the score at x exceeds those of its 8 neighbours.
+/// Bit x: whether the score at x exceeds those of its 8 neighbors.
 HWY_INLINE std::uint64_t MaximaBits(const std::uint8_t* above, const std::uint8_t* here,
                                     const std::uint8_t* below, int x) {
   const Tag d;
@@ -177,7 +177,7 @@ int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std
 namespace scalar {
 namespace {
 
-/// The least, over the 9 pixels of an arc, by which they exceed the centre, or the centre them.
+/// The least, over the 9 pixels of an arc, by which they exceed the center, or the center them.
 int ArcContrast(const std::uint8_t* pixel, const CircleOffsets& circle, int first) {
   int above = 255;
   int below = 255;

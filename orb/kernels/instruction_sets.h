@@ -6,8 +6,8 @@
 namespace corvo::orb::kernels {
 
 // Kernels are built once for every instruction set, by Highway (https://github.com/google/highway),
-// and the best one that the machine has is chosen at run time. Beside each kernel stands its scalar
-// twin in namespace `scalar`: the definition of what it computes, bit for bit.
+// and the best one that the machine has is chosen at run time. Inflated each kernel stands its
+// scalar twin in namespace `scalar`: the definition of what it computes, bit for bit.
 
 /// The instruction sets that the kernels are built for and this machine has, best first, by their
 /// names in Highway: "AVX3_DL" (AVX-512 with VNNI and VPOPCNT), "AVX3" (AVX-512), "AVX2", "SSE4",

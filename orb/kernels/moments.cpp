@@ -47,27 +47,27 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Products of bytes summed by fours (VNNI, which the processor has if it has this target, but
 /// which Highway does not switch on), two rows at once.
 __attribute__((target(HWY_TARGET_STR ",avx512vnni"))) DiscMoments SumDiscMoments(
-    const std::uint8_t* centre, std::ptrdiff_t stride) {
+    const std::uint8_t* center, std::ptrdiff_t stride) {
   const hn::FixedTag<std::uint8_t, 2 * kRowLength> d8;
   const hn::FixedTag<std::int8_t, 2 * kRowLength> d8_signed;
   const hn::FixedTag<std::int32_t, kRowLength / 2> d32;
   auto x = hn::Zero(d32);
   auto y = hn::Zero(d32);
   for (int row = 0; row < kRows; row += 2) {
-    const std::uint8_t* pixels = centre + (row - kMomentRadius) * stride - kMomentRadius - 1;
+    const std::uint8_t* pixels = center + (row - kMomentRadius) * stride - kMomentRadius - 1;
     const hn::Half<decltype(d8)> half;
-    const auto grey = hn::Combine(d8, hn::LoadU(half, pixels + stride), hn::LoadU(half, pixels));
+    const auto gray = hn::Combine(d8, hn::LoadU(half, pixels + stride), hn::LoadU(half, pixels));
     const auto weights_x = hn::Load(d8_signed, kMomentWeights<std::int8_t>.x[row]);
     const auto weights_y = hn::Load(d8_signed, kMomentWeights<std::int8_t>.y[row]);
-    x.raw = _mm512_dpbusd_epi32(x.raw, grey.raw, weights_x.raw);
-    y.raw = _mm512_dpbusd_epi32(y.raw, grey.raw, weights_y.raw);
+    x.raw = _mm512_dpbusd_epi32(x.raw, gray.raw, weights_x.raw);
+    y.raw = _mm512_dpbusd_epi32(y.raw, gray.raw, weights_y.raw);
   }
   return {hn::GetLane(hn::SumOfLanes(d32, x)), hn::GetLane(hn::SumOfLanes(d32, y))};
 }
 
 #else
 
-DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
+DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride) {
   const hn::CappedTag<std::int16_t, kRowLength> d16;
   const hn::Rebind<std::uint8_t, decltype(d16)> d8;
   const hn::RepartitionToWide<decltype(d16)> d32;
@@ -76,13 +76,13 @@ DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
   auto x_rest = hn::Zero(d32);  // Highway may divide a sum in two.
   auto y_rest = hn::Zero(d32);
   for (int row = 0; row < kRows; ++row) {
-    const std::uint8_t* pixels = centre + (row - kMomentRadius) * stride - kMomentRadius - 1;
+    const std::uint8_t* pixels = center + (row - kMomentRadius) * stride - kMomentRadius - 1;
     for (int i = 0; i < kRowLength; i += static_cast<int>(hn::Lanes(d16))) {
-      const auto grey = hn::PromoteTo(d16, hn::LoadU(d8, pixels + i));
+      const auto gray = hn::PromoteTo(d16, hn::LoadU(d8, pixels + i));
       const auto weight_x = hn::Load(d16, kMomentWeights<std::int16_t>.x[row] + i);
       const auto weight_y = hn::Load(d16, kMomentWeights<std::int16_t>.y[row] + i);
-      x = hn::ReorderWidenMulAccumulate(d32, grey, weight_x, x, x_rest);
-      y = hn::ReorderWidenMulAccumulate(d32, grey, weight_y, y, y_rest);
+      x = hn::ReorderWidenMulAccumulate(d32, gray, weight_x, x, x_rest);
+      y = hn::ReorderWidenMulAccumulate(d32, gray, weight_y, y, y_rest);
     }
   }
   return {hn::GetLane(hn::SumOfLanes(d32, hn::Add(x, x_rest))),
@@ -99,16 +99,16 @@ namespace corvo::orb::kernels {
 
 HWY_EXPORT(SumDiscMoments);
 
-DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
-  return HWY_DYNAMIC_DISPATCH(SumDiscMoments)(centre, stride);
+DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride) {
+  return HWY_DYNAMIC_DISPATCH(SumDiscMoments)(center, stride);
 }
 
 namespace scalar {
 
-DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride) {
+DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride) {
   DiscMoments moments;
   for (int dy = -kMomentRadius; dy <= kMomentRadius; ++dy) {
-    const std::uint8_t* row = centre + dy * stride;
+    const std::uint8_t* row = center + dy * stride;
     const int half_width = kDiscHalfWidths[dy < 0 ? -dy : dy];
     int sum = 0;
     for (int dx = -half_width; dx <= half_width; ++dx) {

@@ -27,12 +27,12 @@ struct DiscMoments {
   bool operator==(const DiscMoments&) const = default;
 };
 
-/// `centre` points at the pixel; rows are `stride` bytes apart, and there are kMomentRadius + 1
+/// `center` points at the pixel; rows are `stride` bytes apart, and there are kMomentRadius + 1
 /// pixels on all sides.
-DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride);
+DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride);
 
 namespace scalar {
-DiscMoments SumDiscMoments(const std::uint8_t* centre, std::ptrdiff_t stride);
+DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride);
 }  // namespace scalar
 
 }  // namespace corvo::orb::kernels

@@ -24,11 +24,11 @@ HWY_INLINE void CopyRow(const std::uint16_t* row, std::uint16_t* copy) {
   hn::Store(hn::LoadU(d8, row - kPatchRadius + 32), d8, copy + 32);
 }
 
-void TestPatch(const std::uint16_t* centre, std::ptrdiff_t stride, const PatchTests& tests,
+void TestPatch(const std::uint16_t* center, std::ptrdiff_t stride, const PatchTests& tests,
                std::uint8_t* bytes) {
   alignas(64) std::uint16_t patch[(2 * kPatchRadius + 1) * kPatchStride];
   for (int y = -kPatchRadius; y <= kPatchRadius; ++y) {
-    CopyRow(centre + y * stride, patch + (y + kPatchRadius) * kPatchStride);
+    CopyRow(center + y * stride, patch + (y + kPatchRadius) * kPatchStride);
   }
   for (int byte = 0; byte < kPatchTests / 8; ++byte) {
     const std::uint16_t* p = tests.p.data() + 8 * byte;
@@ -48,28 +48,28 @@ namespace corvo::orb::kernels {
 
 HWY_EXPORT(TestPatch);
 
-void TestPatch(const std::uint16_t* centre, std::ptrdiff_t stride, const PatchTests& tests,
+void TestPatch(const std::uint16_t* center, std::ptrdiff_t stride, const PatchTests& tests,
                std::uint8_t* bytes) {
-  HWY_DYNAMIC_DISPATCH(TestPatch)(centre, stride, tests, bytes);
+  HWY_DYNAMIC_DISPATCH(TestPatch)(center, stride, tests, bytes);
 }
 
 namespace scalar {
 namespace {
 
 /// The number that has this PatchIndex.
-int NumberAt(const std::uint16_t* centre, std::ptrdiff_t stride, int index) {
+int NumberAt(const std::uint16_t* center, std::ptrdiff_t stride, int index) {
   const int x = index % kPatchStride - kPatchRadius;
   const int y = index / kPatchStride - kPatchRadius;
-  return centre[y * stride + x];
+  return center[y * stride + x];
 }
 
 }  // namespace
 
-void TestPatch(const std::uint16_t* centre, std::ptrdiff_t stride, const PatchTests& tests,
+void TestPatch(const std::uint16_t* center, std::ptrdiff_t stride, const PatchTests& tests,
                std::uint8_t* bytes) {
   std::fill_n(bytes, kPatchTests / 8, std::uint8_t{0});
   for (int i = 0; i < kPatchTests; ++i) {
-    const bool less = NumberAt(centre, stride, tests.p[i]) < NumberAt(centre, stride, tests.q[i]);
+    const bool less = NumberAt(center, stride, tests.p[i]) < NumberAt(center, stride, tests.q[i]);
     bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | less << (i % 8));
   }
 }

@@ -10,7 +10,7 @@ inline constexpr int kPatchRadius = 18;  ///< A patch is of 37 x 37 numbers.
 inline constexpr int kPatchStride = 64;  ///< Of the copy that is tested.
 inline constexpr int kPatchTests = 256;
 
-/// Where the number at (dx, dy) from the patch's centre stands in the copy.
+/// Where the number at (dx, dy) from the patch's center stands in the copy.
 constexpr std::uint16_t PatchIndex(int dx, int dy) {
   return static_cast<std::uint16_t>((dy + kPatchRadius) * kPatchStride + dx + kPatchRadius);
 }
@@ -22,13 +22,13 @@ struct PatchTests {
   std::array<std::uint16_t, kPatchTests> q;
 };
 
-/// Outcomes of the tests on the patch around `centre`, whose rows are `stride` numbers apart; those
+/// Outcomes of the tests on the patch around `center`, whose rows are `stride` numbers apart; those
 /// of the patch go on for 3 numbers at least. `bytes` is room for 32.
-void TestPatch(const std::uint16_t* centre, std::ptrdiff_t stride, const PatchTests& tests,
+void TestPatch(const std::uint16_t* center, std::ptrdiff_t stride, const PatchTests& tests,
                std::uint8_t* bytes);
 
 namespace scalar {
-void TestPatch(const std::uint16_t* centre, std::ptrdiff_t stride, const PatchTests& tests,
+void TestPatch(const std::uint16_t* center, std::ptrdiff_t stride, const PatchTests& tests,
                std::uint8_t* bytes);
 }  // namespace scalar
 

@@ -19,12 +19,12 @@ struct TapGroups {
   const std::int32_t* bases;
 };
 
-/// Interpolates a row of pixels, in units of 2^-7 grey levels: 8 targets for every group. No tap is
+/// Interpolates a row of pixels, in units of 2^-7 gray levels: 8 targets for every group. No tap is
 /// kTapReach or more from its base, and the source has kTapReach pixels from every base on; the
 /// scalar twin needs neither.
 void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets);
 
-/// Rounds (2^7 - weight) a + weight b, halfway up, to whole grey levels. a and b are in units of
+/// Rounds (2^7 - weight) a + weight b, halfway up, to whole gray levels. a and b are in units of
 /// 2^-7, 0 to 255 * 2^7; `weight` is 0 to 2^7 - 1.
 void BlendRows(const std::int16_t* a, const std::int16_t* b, int weight, int width,
                std::uint8_t* blended);

@@ -13,7 +13,7 @@ namespace corvo::orb::kernels {
 struct ColumnSums {
   alignas(64) float sum[kFitSide] = {};
   alignas(64) float squares[kFitSide] = {};
-  alignas(64) float with_grey[kFitSide] = {};
+  alignas(64) float with_gray[kFitSide] = {};
   alignas(64) float with_x[kFitSide] = {};
   alignas(64) float with_y[kFitSide] = {};
 
@@ -22,7 +22,7 @@ struct ColumnSums {
     for (int column = 0; column < kFitSide; ++column) {
       total.sum += sum[column];
       total.squares += squares[column];
-      total.with_grey += with_grey[column];
+      total.with_gray += with_gray[column];
       total.with_x += with_x[column];
       total.with_y += with_y[column];
     }
@@ -43,7 +43,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DF = hn::CappedTag<float, kFitSide>;
 using VF = hn::Vec<DF>;
 
-HWY_INLINE VF LoadGrey(const std::uint8_t* pixels) {
+HWY_INLINE VF LoadGray(const std::uint8_t* pixels) {
   const hn::Rebind<std::int32_t, DF> d32;
   const hn::Rebind<std::uint8_t, DF> d8;
   return hn::ConvertTo(DF(), hn::PromoteTo(d32, hn::LoadU(d8, pixels)));
@@ -53,7 +53,7 @@ HWY_INLINE VF LoadGrey(const std::uint8_t* pixels) {
 HWY_INLINE VF Between(VF a, VF b, VF share) { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); }
 
 HWY_INLINE VF RowBetween(const std::uint8_t* pixels, VF right_share) {
-  return Between(LoadGrey(pixels), LoadGrey(pixels + 1), right_share);
+  return Between(LoadGray(pixels), LoadGray(pixels + 1), right_share);
 }
 
 HWY_INLINE void SumColumns(const WindowPlace& place, const FitTemplate& wanted, int column,
@@ -62,23 +62,23 @@ HWY_INLINE void SumColumns(const WindowPlace& place, const FitTemplate& wanted, 
   const VF right_share = hn::Set(d, place.right_share);
   const VF lower_share = hn::Set(d, place.lower_share);
   const VF middle = hn::Set(d, 128);
-  VF sum = hn::Zero(d), squares = sum, with_grey = sum, with_x = sum, with_y = sum;
+  VF sum = hn::Zero(d), squares = sum, with_gray = sum, with_x = sum, with_y = sum;
   const std::uint8_t* pixels = place.corner + column;
   VF upper = RowBetween(pixels, right_share);
   for (int i = column; i < kFitPixels; i += kFitSide) {
     pixels += place.stride;
     const VF lower = RowBetween(pixels, right_share);
-    const VF grey = hn::Sub(Between(upper, lower, lower_share), middle);
-    sum = hn::Add(sum, grey);
-    squares = hn::Add(squares, hn::Mul(grey, grey));
-    with_grey = hn::Add(with_grey, hn::Mul(grey, hn::LoadU(d, wanted.grey + i)));
-    with_x = hn::Add(with_x, hn::Mul(grey, hn::LoadU(d, wanted.by_x + i)));
-    with_y = hn::Add(with_y, hn::Mul(grey, hn::LoadU(d, wanted.by_y + i)));
+    const VF gray = hn::Sub(Between(upper, lower, lower_share), middle);
+    sum = hn::Add(sum, gray);
+    squares = hn::Add(squares, hn::Mul(gray, gray));
+    with_gray = hn::Add(with_gray, hn::Mul(gray, hn::LoadU(d, wanted.gray + i)));
+    with_x = hn::Add(with_x, hn::Mul(gray, hn::LoadU(d, wanted.by_x + i)));
+    with_y = hn::Add(with_y, hn::Mul(gray, hn::LoadU(d, wanted.by_y + i)));
     upper = lower;
   }
   hn::Store(sum, d, sums.sum + column);
   hn::Store(squares, d, sums.squares + column);
-  hn::Store(with_grey, d, sums.with_grey + column);
+  hn::Store(with_gray, d, sums.with_gray + column);
   hn::Store(with_x, d, sums.with_x + column);
   hn::Store(with_y, d, sums.with_y + column);
 }
@@ -108,7 +108,7 @@ WindowFit FitWindow(const WindowPlace& place, const FitTemplate& wanted) {
 namespace scalar {
 namespace {
 
-float GreyAt(const WindowPlace& place, int column, int row) {
+float GrayAt(const WindowPlace& place, int column, int row) {
   const std::uint8_t* pixels = place.corner + row * place.stride + column;
   const float left = pixels[0], right = pixels[1];
   return left + place.right_share * (right - left);
@@ -120,13 +120,13 @@ WindowFit FitWindow(const WindowPlace& place, const FitTemplate& wanted) {
   ColumnSums sums;
   for (int i = 0; i < kFitPixels; ++i) {
     const int column = i % kFitSide, row = i / kFitSide;
-    const float upper = GreyAt(place, column, row), lower = GreyAt(place, column, row + 1);
-    const float grey = upper + place.lower_share * (lower - upper) - 128;
-    sums.sum[column] += grey;
-    sums.squares[column] += grey * grey;
-    sums.with_grey[column] += grey * wanted.grey[i];
-    sums.with_x[column] += grey * wanted.by_x[i];
-    sums.with_y[column] += grey * wanted.by_y[i];
+    const float upper = GrayAt(place, column, row), lower = GrayAt(place, column, row + 1);
+    const float gray = upper + place.lower_share * (lower - upper) - 128;
+    sums.sum[column] += gray;
+    sums.squares[column] += gray * gray;
+    sums.with_gray[column] += gray * wanted.gray[i];
+    sums.with_x[column] += gray * wanted.by_x[i];
+    sums.with_y[column] += gray * wanted.by_y[i];
   }
   return sums.Total();
 }

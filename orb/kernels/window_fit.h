@@ -20,7 +20,7 @@ struct WindowPlace {
 
 /// What a window is compared with, row by row.
 struct FitTemplate {
-  float grey[kFitPixels];
+  float gray[kFitPixels];
   float by_x[kFitPixels];
   float by_y[kFitPixels];
 };
@@ -29,7 +29,7 @@ struct FitTemplate {
 struct WindowFit {
   float sum = 0;
   float squares = 0;
-  float with_grey = 0;  ///< Times the template's grey, ...
+  float with_gray = 0;  ///< Times the template's gray, ...
   float with_x = 0;     ///< ... by_x ...
   float with_y = 0;     ///< ... and by_y.
 

@@ -27,18 +27,18 @@ TEST(NormalizedSquaredErrorTest, TakesAnErrorAlongACorrelationForASmallerOne) {
 
 TEST(JudgeTest, CountsParameterByParameter) {
   const Eigen::Matrix2d covariance = Eigen::Vector2d(1, 4).asDiagonal();
-  const Honesty honesty =
+  const Consistency consistency =
       Judge({{Eigen::Vector2d(3, 0), covariance}, {Eigen::Vector2d(-4, 5), covariance}});
-  EXPECT_EQ(honesty.count, 2);
-  EXPECT_EQ(honesty.share_within_3_sigma, Eigen::Vector2d(0.5, 1));
-  EXPECT_EQ(honesty.mean_sigma, Eigen::Vector2d(1, 2));
-  EXPECT_DOUBLE_EQ(honesty.rms_error[0], std::sqrt((9.0 + 16.0) / 2));
-  EXPECT_DOUBLE_EQ(honesty.rms_error[1], std::sqrt(25.0 / 2));
-  EXPECT_DOUBLE_EQ(honesty.mean_normalized_squared_error, (9 + 16 + 25.0 / 4) / 4);
+  EXPECT_EQ(consistency.count, 2);
+  EXPECT_EQ(consistency.share_within_3_sigma, Eigen::Vector2d(0.5, 1));
+  EXPECT_EQ(consistency.mean_sigma, Eigen::Vector2d(1, 2));
+  EXPECT_DOUBLE_EQ(consistency.rms_error[0], std::sqrt((9.0 + 16.0) / 2));
+  EXPECT_DOUBLE_EQ(consistency.rms_error[1], std::sqrt(25.0 / 2));
+  EXPECT_DOUBLE_EQ(consistency.mean_normalized_squared_error, (9 + 16 + 25.0 / 4) / 4);
 }
 
 /// Errors drawn from a covariance with correlations, which claims to be `claimed` times as large.
-Honesty JudgeDraws(double claimed) {
+Consistency JudgeDraws(double claimed) {
   test::Random random(7);
   Eigen::Matrix3d covariance;
   covariance << 4, 1, 0.5, 1, 1, -0.3, 0.5, -0.3, 2;
@@ -53,16 +53,16 @@ Honesty JudgeDraws(double claimed) {
 }
 
 TEST(JudgeTest, FindsAnHonestCovarianceHonest) {
-  const Honesty honesty = JudgeDraws(1);
-  EXPECT_NEAR(honesty.mean_normalized_squared_error, 1, 0.05);
-  EXPECT_GT(honesty.share_within_3_sigma.minCoeff(), 0.99);
-  EXPECT_NEAR(honesty.rms_error[0], honesty.mean_sigma[0], 0.1);
+  const Consistency consistency = JudgeDraws(1);
+  EXPECT_NEAR(consistency.mean_normalized_squared_error, 1, 0.05);
+  EXPECT_GT(consistency.share_within_3_sigma.minCoeff(), 0.99);
+  EXPECT_NEAR(consistency.rms_error[0], consistency.mean_sigma[0], 0.1);
 }
 
 TEST(JudgeTest, FindsATooSmallCovarianceTooSmall) {
-  const Honesty honesty = JudgeDraws(0.25);
-  EXPECT_NEAR(honesty.mean_normalized_squared_error, 4, 0.2);
-  EXPECT_NEAR(honesty.share_within_3_sigma[1], 0.866, 0.02);  // Of a normal one, in 1.5 sigma.
+  const Consistency consistency = JudgeDraws(0.25);
+  EXPECT_NEAR(consistency.mean_normalized_squared_error, 4, 0.2);
+  EXPECT_NEAR(consistency.share_within_3_sigma[1], 0.866, 0.02);  // Of a normal one, in 1.5 sigma.
 }
 
 TEST(FirstFrameWithinTest, IsWhereTheLastStretchInsideBegins) {

@@ -23,15 +23,15 @@ TEST(LeastTimesTest, KeepsTheLeastOfEachItem) {
   EXPECT_THAT(times.ms(), ElementsAre(2, 5));
 }
 
-TEST(SummariseTest, TheRatioIsTheMedianOfTheItemsRatiosNotTheRatioOfMedians) {
-  const PairedSummary summary = Summarise(Times({1, 2, 10}), Times({4, 20, 30}));
+TEST(SummarizeTest, TheRatioIsTheMedianOfTheItemsRatiosNotTheRatioOfMedians) {
+  const PairedSummary summary = Summarize(Times({1, 2, 10}), Times({4, 20, 30}));
   EXPECT_DOUBLE_EQ(summary.ratio, 4);  // Of 4, 10 and 3.
   EXPECT_DOUBLE_EQ(summary.ms, 2);
   EXPECT_DOUBLE_EQ(summary.baseline_ms, 20);
 }
 
-TEST(SummariseTest, PercentilesAreOverItems) {
-  const PairedSummary summary = Summarise(Times({1, 2}), Times({4, 6}));
+TEST(SummarizeTest, PercentilesAreOverItems) {
+  const PairedSummary summary = Summarize(Times({1, 2}), Times({4, 6}));
   EXPECT_DOUBLE_EQ(summary.p99_ms, 1.99);
   EXPECT_DOUBLE_EQ(summary.baseline_p99_ms, 5.98);
   EXPECT_DOUBLE_EQ(summary.ratio_p10, 3.1);

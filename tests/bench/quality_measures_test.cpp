@@ -25,13 +25,13 @@ DescribedPoints Describe(const std::vector<Marked>& marked) {
   return described;
 }
 
-/// The second picture is the first moved by (10, 0).
+/// The second image is the first moved by (10, 0).
 Measures MeasureMoved(const std::vector<Marked>& first, const std::vector<Marked>& second) {
   return Measure({Describe(first), Describe(second), cv::Matx33d(1, 0, 10, 0, 1, 0, 0, 0, 1),
                   cv::Size(100, 50), cv::Size(100, 50)});
 }
 
-TEST(QualityMeasuresTest, APictureMovedIsFoundWhole) {
+TEST(QualityMeasuresTest, AnImageMovedIsFoundWhole) {
   const Measures measures = MeasureMoved({{20, 20, 1}, {40, 20, 2}, {60, 20, 4}},
                                          {{70, 20, 4}, {30, 20, 1}, {50, 20, 2}});
   EXPECT_EQ(measures.first, 3);
@@ -49,7 +49,7 @@ TEST(QualityMeasuresTest, ToleranceIsThreePixels) {
   EXPECT_EQ(MeasureMoved({{20, 20, 1}}, {{30, 23.01F, 1}}).repeated, 0);
 }
 
-TEST(QualityMeasuresTest, WhatLeavesThePictureDoesNotCount) {
+TEST(QualityMeasuresTest, WhatLeavesTheImageDoesNotCount) {
   const Measures measures = MeasureMoved({{20, 20, 1}, {95, 20, 2}}, {{30, 20, 1}, {3, 20, 2}});
   EXPECT_EQ(measures.first, 1);
   EXPECT_EQ(measures.fewer, 1);
@@ -72,7 +72,7 @@ TEST(QualityMeasuresTest, TheNearestAreTheFirstToBePaired) {
 }
 
 TEST(QualityMeasuresTest, AMatchIsMutualIfItIsTheNearestBothWays) {
-  // Both points of the first picture are like the only one of the second, one of them exactly.
+  // Both points of the first image are like the only one of the second, one of them exactly.
   const Measures measures = MeasureMoved({{20, 20, 3}, {60, 20, 1}}, {{70, 20, 1}, {30, 40, 0xf0}});
   EXPECT_EQ(measures.mutual, 1);
   EXPECT_EQ(measures.mutual_correct, 1);
@@ -83,7 +83,7 @@ TEST(QualityMeasuresTest, AMatchIsMutualIfItIsTheNearestBothWays) {
 TEST(QualityMeasuresTest, CountsAddUp) {
   Measures sum = MeasureMoved({{20, 20, 1}}, {{30, 20, 1}});
   sum += MeasureMoved({{20, 20, 1}}, {{60, 20, 1}});
-  EXPECT_EQ(sum.pictures, 2);
+  EXPECT_EQ(sum.images, 2);
   EXPECT_EQ(sum.Precision(), 0.5);
   EXPECT_EQ(sum.Repeatability(), 0.5);
   EXPECT_EQ(sum.PairedRepeatability(), 0.5);

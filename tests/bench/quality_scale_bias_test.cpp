@@ -13,7 +13,7 @@ cv::KeyPoint At(double x, double y, int octave) {
   return {cv::Point2f(static_cast<float>(x), static_cast<float>(y)), 31, -1, 0, octave};
 }
 
-/// Points found `bias` away from where they are, in the picture and turned by half.
+/// Points found `bias` away from where they are, in the image and turned by half.
 std::vector<OctaveBias> MeasureWith(const cv::Point2d& bias, int octave) {
   std::vector<cv::KeyPoint> points, turned;
   for (int i = 0; i < 20; ++i) {

@@ -25,14 +25,14 @@ cv::Mat Blobs() {
     const int x = random.uniform(25, 76);
     const int y = random.uniform(25, 56);
     const int radius = random.uniform(2, 6);
-    const int grey = random.uniform(80, 255);
-    cv::circle(image, {x, y}, radius, cv::Scalar(grey), cv::FILLED);
+    const int gray = random.uniform(80, 255);
+    cv::circle(image, {x, y}, radius, cv::Scalar(gray), cv::FILLED);
   }
   cv::GaussianBlur(image, image, cv::Size(), 2.5);
   return image;
 }
 
-/// Mean difference of a view from the picture, over pixels of the picture near its centre.
+/// Mean difference of a view from the image, over pixels of the image near its center.
 double MeanDifference(const cv::Mat& image, const View& view) {
   double sum = 0;
   int count = 0;
@@ -77,7 +77,7 @@ TEST(QualityViewsTest, ScaleKeepsTheOuterEdges) {
   EXPECT_NEAR(opposite[1], half.image.rows - 0.5, 1e-9);
 }
 
-TEST(QualityViewsTest, GreyValuesFollowTheLineAndSaturate) {
+TEST(QualityViewsTest, GrayValuesFollowTheLineAndSaturate) {
   const cv::Mat image = (cv::Mat_<std::uint8_t>(1, 4) << 0, 100, 128, 250);
   const cv::Mat brighter = (cv::Mat_<std::uint8_t>(1, 4) << 30, 130, 158, 255);
   const cv::Mat contrast = (cv::Mat_<std::uint8_t>(1, 4) << 0, 72, 128, 255);

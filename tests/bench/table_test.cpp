@@ -16,7 +16,7 @@ const std::vector<ComparisonRow> kRows = {
 
 TEST(ComparisonTableTest, HasALineForEachTitleAndAColumnForEachInstructionSet) {
   EXPECT_EQ(ComparisonTable(kRows, {"AVX3", "AVX2", "SSE4"}),
-            "| comparison | pictures | ms | p99 / p50 | baseline ms | AVX3 | AVX2 |\n"
+            "| comparison | images | ms | p99 / p50 | baseline ms | AVX3 | AVX2 |\n"
             "|---|---|---|---|---|---|---|\n"
             "| features | street | 2 | 1.10 | 10 | 4.96x | 3.33x |\n"
             "| corners | room | 0.5 | 1.50 | 1.23e+03 | 2.00x | |\n");
@@ -31,7 +31,7 @@ TEST(ComparisonTableTest, OrdersTheColumnsAsTold) {
 TEST(StageTableTest, HasALineForEachRowAndAColumnForEachStage) {
   const std::vector<StageRow> rows = {{"features", "street", {1.25, 0.5}}};
   EXPECT_EQ(StageTable(rows, {"pyramid", "FAST"}),
-            "| stages, ms | pictures | pyramid | FAST |\n"
+            "| stages, ms | images | pyramid | FAST |\n"
             "|---|---|---|---|\n"
             "| features | street | 1.25 | 0.5 |\n");
 }

@@ -22,7 +22,7 @@ class Calibrate : public testing::Test {
   fs::path camera_ = folder_ / "out/camera.yaml";
 };
 
-TEST_F(Calibrate, FindsACameraFromItsPicturesAlone) {
+TEST_F(Calibrate, FindsACameraFromItsImagesAlone) {
   const fs::path room = folder_ / "room";
   ASSERT_EQ(RunCorvo({"synth", "room", "-o", room, "--frames", "80", "--width", "400"}).exit_code,
             0);
@@ -69,7 +69,7 @@ TEST_F(Calibrate, NamesBadInput) {
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", "-o", folder_ / "noise"}),
               "is a folder; the camera is written to a file");
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", folder_ / "large", "-o", camera_}),
-              "the picture is 128 x 96 px, the camera 96 x 64 px");
+              "the image is 128 x 96 px, the camera 96 x 64 px");
   EXPECT_THAT(RunCorvo({"calibrate", folder_ / "noise", "-o", camera_, "--model", "omni"}).err,
               HasSubstr("--model"));
 }

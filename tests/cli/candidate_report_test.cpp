@@ -12,11 +12,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A lowered candidate whose parameters are known to these.
-CameraCandidate Known(CameraDescription description, const std::vector<double>& sigma) {
+CameraCandidate Known(CalibrationModel description, const std::vector<double>& sigma) {
   CameraCandidate candidate;
   candidate.description = description;
   candidate.prior = PriorOf(description, test::PinholeCamera());
-  candidate.adjustment.outcome = AdjustmentOutcome::kLowered;
+  candidate.adjustment.outcome = AdjustmentOutcome::kImproved;
   candidate.adjustment.camera = candidate.prior.given;
   candidate.adjustment.final_cost = 1234.5;
   const Eigen::VectorXd variances =
@@ -26,20 +26,20 @@ CameraCandidate Known(CameraDescription description, const std::vector<double>& 
 }
 
 TEST(CandidateReportTest, WhatTheMotionTellsNeedsNoWarning) {
-  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.005, 1, 1})), IsEmpty());
+  EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.005, 1, 1})), IsEmpty());
 }
 
 TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
-  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.05, 1, 1})),
+  EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.05, 1, 1})),
               ElementsAre(HasSubstr("focal length (known to 5.0%): turn while moving")));
-  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kPinhole, {0.005, 12, 1})),
+  EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.005, 12, 1})),
               ElementsAre(HasSubstr("principal point")));
-  EXPECT_THAT(UndeterminedWarnings(Known(CameraDescription::kFov, {0.005, 1, 1, 0.9})),
+  EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kFov, {0.005, 1, 1, 0.9})),
               ElementsAre(HasSubstr("distortion")));
 }
 
 TEST(CandidateReportTest, GivesValuesSigmasAndCorrelations) {
-  CameraCandidate candidate = Known(CameraDescription::kPinhole, {0.01, 2, 4});
+  CameraCandidate candidate = Known(CalibrationModel::kPinhole, {0.01, 2, 4});
   candidate.adjustment.covariance(2, 1) = candidate.adjustment.covariance(1, 2) = -4;
   const std::string text = EstimateText(candidate);
   EXPECT_THAT(text, HasSubstr("focal              500            5"));
@@ -48,8 +48,8 @@ TEST(CandidateReportTest, GivesValuesSigmasAndCorrelations) {
 }
 
 TEST(CandidateReportTest, MarksTheSelectedModel) {
-  std::vector<CameraCandidate> candidates{Known(CameraDescription::kPinhole, {0.01, 2, 4}),
-                                          Known(CameraDescription::kFov, {0.01, 2, 4, 0.1})};
+  std::vector<CameraCandidate> candidates{Known(CalibrationModel::kPinhole, {0.01, 2, 4}),
+                                          Known(CalibrationModel::kFov, {0.01, 2, 4, 0.1})};
   candidates[1].adjustment.outcome = AdjustmentOutcome::kSolverFailed;
   const std::string text = CandidatesText(candidates, 0);
   EXPECT_THAT(text, HasSubstr("\n* pinhole           3 "));

@@ -72,5 +72,12 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"learn", "a.png", "-o", "p", "--keypoints", "999"},
                     std::vector<std::string>{"config", "no/such/file.yaml"}));
 
+TEST(CommandLine, FormerOptionsAreAnsweredByTheirNewNames) {
+  EXPECT_THAT(RunCorvo({"run", "folder", "-o", "out", "--metres-per-unit", "2"}).err,
+              HasSubstr("--metres-per-unit: is now --meters-per-unit"));
+  EXPECT_THAT(RunCorvo({"eval", "a", "b", "--rpe-metres", "5"}).err,
+              HasSubstr("--rpe-metres: is now --rpe-meters"));
+}
+
 }  // namespace
 }  // namespace corvo::test

@@ -154,9 +154,9 @@ TEST_F(Eval, SelectsFramesByStateAndSegment) {
   ExpectError(RunCorvo({"eval", run, truth_, "--states", "tracking"}), "no column timestamp");
 }
 
-TEST_F(Eval, MeasuresOverFramesSecondsAndMetres) {
+TEST_F(Eval, MeasuresOverFramesSecondsAndMeters) {
   const nlohmann::json report =
-      Measure({estimate_, truth_, "--rpe-frames", "3", "--rpe-seconds", "5", "--rpe-metres", "4"});
+      Measure({estimate_, truth_, "--rpe-frames", "3", "--rpe-seconds", "5", "--rpe-meters", "4"});
   EXPECT_EQ(report["rpe_frames"]["frames"], 3);
   EXPECT_EQ(report["rpe_frames"]["translation"]["count"], kCount - 3);
   EXPECT_EQ(report["rpe_time"]["seconds"], 5.0);
@@ -198,10 +198,10 @@ TEST_F(Eval, PrintsTheMeasures) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("ATE"), HasSubstr("RPE"), HasSubstr("100.0% of the")));
 }
 
-TEST_F(Eval, DrawsAPicture) {
-  const fs::path picture = folder_ / "with 'quotes' and spaces.png";
-  EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", picture}).exit_code, 0);
-  EXPECT_THAT(ReadText(picture), StartsWith("\x89PNG"));
+TEST_F(Eval, DrawsAImage) {
+  const fs::path image = folder_ / "with 'quotes' and spaces.png";
+  EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", image}).exit_code, 0);
+  EXPECT_THAT(ReadText(image), StartsWith("\x89PNG"));
 }
 
 }  // namespace

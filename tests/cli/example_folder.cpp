@@ -85,7 +85,7 @@ void WriteSevenScenes(const fs::path& folder) {
   }
 }
 
-void WritePictures(const fs::path& here) {
+void WriteImages(const fs::path& here) {
   WriteFolder(here / "images", kExampleFrames);
   WriteFolder(here / "left", kExampleFrames);
   for (int i = 0; i < kExampleFrames; ++i) {
@@ -96,7 +96,7 @@ void WritePictures(const fs::path& here) {
   for (const char* name : {"photographs/1.png", "bsds500/train/1.jpg"}) {
     WriteImage(here / name, SmoothImage(1, 320, 240));
   }
-  for (const char* name : {"a.png", "b.png", "picture.png"}) {
+  for (const char* name : {"a.png", "b.png", "image.png"}) {
     WriteImage(here / name, TinyImage(7, 160, 120));
   }
 }
@@ -127,7 +127,7 @@ std::string ExamplePoses(double first_s, double step_s) {
 
 ExampleFolder::ExampleFolder() {
   WriteBenchmarks(folder_.path());
-  WritePictures(folder_.path());
+  WriteImages(folder_.path());
   for (const char* name : {"camera.yaml", "phone.yaml", "left.yaml"}) {
     WriteText(folder_ / name, kCamera);
   }
@@ -146,7 +146,7 @@ CommandResult ExampleFolder::Run(const std::string& command) const {
 void ExampleFolder::ExpectRuns(const std::string& command) const {
   constexpr int kNeverInitialized = 2;
   const CommandResult result = Run(command);
-  const bool needs_scene =  // Which these pictures do not have.
+  const bool needs_scene =  // Which these images do not have.
       command.rfind("corvo run", 0) == 0 || command.rfind("corvo calibrate", 0) == 0;
   EXPECT_TRUE(result.exit_code == 0 || (needs_scene && result.exit_code == kNeverInitialized))
       << command << "\n"

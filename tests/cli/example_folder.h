@@ -14,7 +14,7 @@ inline constexpr int kExampleFrames = 4;
 std::string ExamplePoses(double first_s, double step_s);
 
 /// A folder with tiny files under the names that the examples of --help and of the READMEs have:
-/// a sequence in every layout with its ground truth, pictures, a video, camera files. The pictures
+/// a sequence in every layout with its ground truth, images, a video, camera files. The images
 /// show no scene, so that no run has a pose.
 class ExampleFolder {
  public:

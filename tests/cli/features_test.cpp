@@ -37,7 +37,7 @@ std::string TableLine(const orb::Keypoint& keypoint, const orb::Descriptor& desc
   return line;
 }
 
-/// Two pictures a.png and b.png, b the same scene 7 px to the left.
+/// Two images a.png and b.png, b the same scene 7 px to the left.
 class FeatureCommands : public testing::Test {
  protected:
   FeatureCommands() {
@@ -65,10 +65,10 @@ TEST_F(FeatureCommands, FeaturesAreDrawnAndListed) {
   for (const int i : {0, 500, 999}) {
     EXPECT_EQ(Line(table, i + 1), TableLine(features.keypoints[i], features.descriptors[i]));
   }
-  const cv::Mat picture = cv::imread(out_ / "b_features.png", cv::IMREAD_COLOR);
-  EXPECT_EQ(picture.size(), image.size());
+  const cv::Mat drawing = cv::imread(out_ / "b_features.png", cv::IMREAD_COLOR);
+  EXPECT_EQ(drawing.size(), image.size());
   std::vector<cv::Mat> channels;
-  cv::split(picture, channels);
+  cv::split(drawing, channels);
   EXPECT_GT(cv::countNonZero(channels[0] != channels[2]), 1000);
 }
 
@@ -88,8 +88,8 @@ TEST_F(FeatureCommands, ResultsOfTheSameNameAreRefused) {
   EXPECT_FALSE(fs::exists(out_));
 }
 
-TEST_F(FeatureCommands, APictureThatCannotBeReadLeavesNothingBehind) {
-  WriteText(folder_ / "text.png", "no picture");
+TEST_F(FeatureCommands, AnImageThatCannotBeReadLeavesNothingBehind) {
+  WriteText(folder_ / "text.png", "no image");
   const CommandResult result = RunCorvo({"features", a_, folder_ / "text.png", "-o", out_});
   EXPECT_EQ(result.exit_code, kBadInput);
   EXPECT_THAT(result.err, HasSubstr("text.png"));
@@ -114,10 +114,10 @@ TEST_F(FeatureCommands, MatchesAreDrawnListedAndCounted) {
   EXPECT_NEAR(h[5] / h[8], 0, 0.5);
 }
 
-TEST_F(FeatureCommands, PicturesWithoutFeaturesHaveNoHomography) {
+TEST_F(FeatureCommands, ImagesWithoutFeaturesHaveNoHomography) {
   ASSERT_EQ(RunCorvo({"match", a_, b_, "-o", out_}).exit_code, 0);
-  WriteImage(folder_ / "grey.png", cv::Mat(150, 200, CV_8UC1, cv::Scalar(128)));
-  const CommandResult result = RunCorvo({"match", a_, folder_ / "grey.png", "-o", out_});
+  WriteImage(folder_ / "gray.png", cv::Mat(150, 200, CV_8UC1, cv::Scalar(128)));
+  const CommandResult result = RunCorvo({"match", a_, folder_ / "gray.png", "-o", out_});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("\n0 matches, 0 agree with a homography\n"));
   EXPECT_EQ(CountLines(ReadText(out_ / "matches.csv")), 1);

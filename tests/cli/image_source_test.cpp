@@ -49,7 +49,7 @@ TEST(FolderSequence, IsInNaturalOrderWithTimesByFrameRate) {
   for (const char* name : {"10.png", "9.png", "1.PNG", "2.jpg"}) {
     test::WriteImage(folder / name, TinyImage(0));
   }
-  WriteText(folder / "notes.md", "not a picture");
+  WriteText(folder / "notes.md", "not an image");
   const ImageList list = ListImages(folder.path(), kFrameRate);
   EXPECT_EQ(list.layout, "folder");
   EXPECT_FALSE(list.camera);
@@ -58,7 +58,7 @@ TEST(FolderSequence, IsInNaturalOrderWithTimesByFrameRate) {
   EXPECT_EQ(list.images[3].time_ns, 100000000);
 }
 
-TEST(FolderSequence, LeavesOutDepthPictures) {
+TEST(FolderSequence, LeavesOutDepthImages) {
   TempFolder folder;
   test::WriteImage(folder / "frame-000000.color.png", TinyImage(0));
   test::WriteImage(folder / "frame-000000.depth.png", TinyImage(0));
@@ -71,7 +71,7 @@ TEST(FolderSequence, NamesWhatIsWrongWithTheInput) {
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOfListing(folder / "missing"), HasSubstr("missing: no such folder"));
   EXPECT_THAT(ErrorOfListing(folder / "file.txt"), HasSubstr("file.txt: not a folder"));
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no pictures"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no images"));
 }
 
 TEST(KittiSequence, ReadsTimesAndCalibration) {
@@ -106,11 +106,11 @@ TEST(KittiSequence, NamesBadFiles) {
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("calib.txt: has no row P0:"));
 }
 
-TEST(KittiSequence, WantsOneAscendingTimeAPicture) {
+TEST(KittiSequence, WantsOneAscendingTimeAImage) {
   TempFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "times.txt", "0\n0.1\n");
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("2 times for the 3 pictures"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("2 times for the 3 images"));
   WriteText(folder / "times.txt", "0\n0.1\n0.1\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
               AllOf(HasSubstr("000002.png"), HasSubstr("does not lie after 100000000 ns")));
@@ -167,7 +167,7 @@ TEST(EurocSequence, NamesBadFiles) {
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("data.csv:1: '12.5'"));
 }
 
-TEST(TumSequence, ReadsExactTimesAndConvertsColour) {
+TEST(TumSequence, ReadsExactTimesAndConvertsColor) {
   TempFolder folder;
   test::WriteTum(folder.path(), 3);
   ImageSource source(ListImages(folder.path(), kFrameRate));
@@ -182,7 +182,7 @@ TEST(TumSequence, ReadsExactTimesAndConvertsColour) {
   EXPECT_LE(cv::norm(second->image, TinyImage(1), cv::NORM_INF), 1.0);
 }
 
-TEST(TumSequence, NamesMissingPicturesAndBadLines) {
+TEST(TumSequence, NamesMissingImagesAndBadLines) {
   TempFolder folder;
   test::WriteTum(folder.path(), 2);
   WriteText(folder / "rgb.txt", "# c\n1.5 rgb/none.png\n");
@@ -190,10 +190,10 @@ TEST(TumSequence, NamesMissingPicturesAndBadLines) {
   WriteText(folder / "rgb.txt", "# c\n\n1.5\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("rgb.txt:3: '1.5'"));
   WriteText(folder / "rgb.txt", "# nothing\n");
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no pictures"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no images"));
 }
 
-TEST(ImageSource, HandsOutEveryPictureOnce) {
+TEST(ImageSource, HandsOutEveryImageOnce) {
   TempFolder folder;
   test::WriteFolder(folder.path(), 3);
   ImageSource source(ListImages(folder.path(), kFrameRate));
@@ -206,11 +206,11 @@ TEST(ImageSource, HandsOutEveryPictureOnce) {
   EXPECT_FALSE(source.Next());
 }
 
-TEST(ImageSource, NamesAPictureThatIsNone) {
+TEST(ImageSource, NamesAImageThatIsNone) {
   TempFolder folder;
   WriteText(folder / "0.png", "garbage");
   ImageSource source(ListImages(folder.path(), kFrameRate));
-  EXPECT_THAT(ErrorOf([&] { source.Next(); }), HasSubstr("0.png: not a readable picture"));
+  EXPECT_THAT(ErrorOf([&] { source.Next(); }), HasSubstr("0.png: not a readable image"));
 }
 
 }  // namespace

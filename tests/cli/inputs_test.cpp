@@ -1,4 +1,4 @@
-// Everything `corvo run` reads beside folders of grey 8-bit pictures.
+// Everything `corvo run` reads beside folders of gray 8-bit images.
 #include <cmath>
 #include <csignal>
 #include <numeric>
@@ -51,7 +51,7 @@ std::vector<int> Indices(const std::vector<TimedImage>& images) {
 
 double Difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
-/// Frames whose grey value tells their number; `count` at 25 Hz.
+/// Frames whose gray value tells their number; `count` at 25 Hz.
 void WriteVideo(const fs::path& file, int count) {
   cv::VideoWriter writer(file.string(), cv::CAP_OPENCV_MJPEG,
                          cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25.0,
@@ -62,12 +62,12 @@ void WriteVideo(const fs::path& file, int count) {
   }
 }
 
-TEST(Glob, TakesMatchingPicturesInNaturalOrder) {
+TEST(Glob, TakesMatchingImagesInNaturalOrder) {
   TempFolder folder;
   for (const char* name : {"left10.png", "left9.png", "right1.png"}) {
     test::WriteImage(folder / name, TinyImage(0));
   }
-  WriteText(folder / "left1.txt", "not a picture");
+  WriteText(folder / "left1.txt", "not an image");
   const ImageList list = ListImages(folder / "left*", kFrameRate);
   EXPECT_EQ(list.layout, "glob");
   ASSERT_EQ(list.images.size(), 2u);
@@ -75,7 +75,7 @@ TEST(Glob, TakesMatchingPicturesInNaturalOrder) {
   EXPECT_EQ(list.images[1].file.filename(), "left10.png");
   EXPECT_EQ(list.images[1].time_ns, 33333333);
   EXPECT_THAT(ErrorOf([&] { ListImages(folder / "up*.png", kFrameRate); }),
-              HasSubstr("up*.png: matches no picture"));
+              HasSubstr("up*.png: matches no image"));
 }
 
 TEST(Glob, ReachesIntoSeveralFolders) {
@@ -123,9 +123,9 @@ TEST(Video, NamesAFileThatIsNone) {
   TempFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOf([&] { Open(folder / "file.txt"); }),
-              HasSubstr("file.txt: not a folder of pictures, nor a video"));
+              HasSubstr("file.txt: not a folder of images, nor a video"));
   test::WriteFolder(folder.path(), 1);
-  EXPECT_THAT(ErrorOf([&] { Open(folder / "0.png"); }), HasSubstr("0.png: one picture; give its"));
+  EXPECT_THAT(ErrorOf([&] { Open(folder / "0.png"); }), HasSubstr("0.png: one image; give its"));
 }
 
 TEST(CameraInput, NamesACameraThatIsNotThere) {
@@ -157,65 +157,65 @@ TEST(SelectedImages, AreCounted) {
   EXPECT_THAT(ErrorOf([&] { Open(folder.path(), {10, 1, {}}).First(); }), HasSubstr("--start"));
 }
 
-TEST(GreyImage, KeepsTheUpperByteOfSixteenBits) {
+TEST(GrayImage, KeepsTheUpperByteOfSixteenBits) {
   TempFolder folder;
-  cv::Mat picture(16, 256, CV_16UC1);
+  cv::Mat image(16, 256, CV_16UC1);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 256; ++x) {
-      picture.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(256 * x + 16 * y + 15);
+      image.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(256 * x + 16 * y + 15);
     }
   }
   for (const char* name : {"deep.png", "deep.pgm", "deep.tiff"}) {
-    test::WriteImage(folder / name, picture);
-    const cv::Mat grey = ReadGreyImage(folder / name);
-    ASSERT_EQ(grey.type(), CV_8UC1);
+    test::WriteImage(folder / name, image);
+    const cv::Mat gray = ReadGrayImage(folder / name);
+    ASSERT_EQ(gray.type(), CV_8UC1);
     for (int x = 0; x < 256; ++x) {
-      ASSERT_EQ(grey.at<std::uint8_t>(0, x), x) << name;
-      ASSERT_EQ(grey.at<std::uint8_t>(15, x), x) << name;
+      ASSERT_EQ(gray.at<std::uint8_t>(0, x), x) << name;
+      ASSERT_EQ(gray.at<std::uint8_t>(15, x), x) << name;
     }
   }
 }
 
-TEST(GreyImage, WeighsColours) {
+TEST(GrayImage, WeighsColors) {
   TempFolder folder;
-  const cv::Mat colour(8, 8, CV_8UC3, cv::Scalar(200, 100, 50));  // B, G, R
+  const cv::Mat color(8, 8, CV_8UC3, cv::Scalar(200, 100, 50));  // B, G, R
   const double expected = 0.114 * 200 + 0.587 * 100 + 0.299 * 50;
-  test::WriteImage(folder / "c.png", colour);
-  EXPECT_NEAR(ReadGreyImage(folder / "c.png").at<std::uint8_t>(4, 4), expected, 1);
-  test::WriteImage(folder / "c.jpg", colour);
-  EXPECT_NEAR(ReadGreyImage(folder / "c.jpg").at<std::uint8_t>(4, 4), expected, 2);
+  test::WriteImage(folder / "c.png", color);
+  EXPECT_NEAR(ReadGrayImage(folder / "c.png").at<std::uint8_t>(4, 4), expected, 1);
+  test::WriteImage(folder / "c.jpg", color);
+  EXPECT_NEAR(ReadGrayImage(folder / "c.jpg").at<std::uint8_t>(4, 4), expected, 2);
   cv::Mat deep;
-  colour.convertTo(deep, CV_16U, 256);
+  color.convertTo(deep, CV_16U, 256);
   test::WriteImage(folder / "d.png", deep);
-  EXPECT_NEAR(ReadGreyImage(folder / "d.png").at<std::uint8_t>(4, 4), expected, 1);
+  EXPECT_NEAR(ReadGrayImage(folder / "d.png").at<std::uint8_t>(4, 4), expected, 1);
   const cv::Mat with_alpha(8, 8, CV_8UC4, cv::Scalar(200, 100, 50, 255));
-  EXPECT_NEAR(ToGrey(with_alpha, "a").at<std::uint8_t>(4, 4), expected, 1);
+  EXPECT_NEAR(ToGray(with_alpha, "a").at<std::uint8_t>(4, 4), expected, 1);
 }
 
-TEST(GreyImage, RefusesWhatIsNoPictureOfGreyLevels) {
-  EXPECT_THAT(ErrorOf([] { ToGrey(cv::Mat(8, 8, CV_32FC1), "depth.exr"); }),
-              HasSubstr("depth.exr: a picture of type CV_32FC1; allowed are 8 and 16 bits"));
+TEST(GrayImage, RefusesWhatIsNoImageOfGrayLevels) {
+  EXPECT_THAT(ErrorOf([] { ToGray(cv::Mat(8, 8, CV_32FC1), "depth.exr"); }),
+              HasSubstr("depth.exr: an image of type CV_32FC1; allowed are 8 and 16 bits"));
 }
 
-TEST(GreyImage, NamesATruncatedPicture) {
+TEST(GrayImage, NamesATruncatedImage) {
   TempFolder folder;
   for (const char* name : {"p.jpg", "p.png"}) {
     test::WriteImage(folder / name, TinyImage(1));
     const std::string whole = test::ReadText(folder / name);
-    EXPECT_EQ(ReadGreyImage(folder / name).size(), TinyImage(1).size());
+    EXPECT_EQ(ReadGrayImage(folder / name).size(), TinyImage(1).size());
     for (const double share : {0.0, 0.1, 0.5, 0.95}) {
       const auto kept = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
       WriteText(folder / name, whole.substr(0, kept));
-      EXPECT_THAT(ErrorOf([&] { ReadGreyImage(folder / name); }),
-                  HasSubstr(std::string(name) + ": not a readable picture"))
+      EXPECT_THAT(ErrorOf([&] { ReadGrayImage(folder / name); }),
+                  HasSubstr(std::string(name) + ": not a readable image"))
           << share;
     }
     WriteText(folder / name, whole + "trailing bytes");
-    EXPECT_EQ(ReadGreyImage(folder / name).size(), TinyImage(1).size());
+    EXPECT_EQ(ReadGrayImage(folder / name).size(), TinyImage(1).size());
   }
 }
 
-/// TUM-mono: times with exposures, pictures, and the camera in units of the picture.
+/// TUM-mono: times with exposures, images, and the camera in units of the image.
 void WriteTumMono(const fs::path& folder, int count) {
   std::string times;
   for (int i = 0; i < count; ++i) {
@@ -240,7 +240,7 @@ TEST(TumMonoSequence, ReadsTimesAndCamera) {
   expected.height = 64;
   expected.fx = 48;
   expected.fy = 48;
-  expected.cx = 47.5;  // 0.5 is half of the picture: between pixels 47 and 48.
+  expected.cx = 47.5;  // 0.5 is half of the image: between pixels 47 and 48.
   expected.cy = 31.5;
   expected.omega = 0.9;
   ASSERT_TRUE(list.camera);
@@ -255,14 +255,14 @@ TEST(TumMonoSequence, NamesBadFiles) {
   EXPECT_THAT(error(), HasSubstr("images.zip: unpack it"));
   WriteTumMono(folder.path(), 2);
   WriteText(folder / "times.txt", "00000 1.5 0.01\n");
-  EXPECT_THAT(error(), HasSubstr("times.txt: 1 times for the 2 pictures"));
+  EXPECT_THAT(error(), HasSubstr("times.txt: 1 times for the 2 images"));
   WriteText(folder / "times.txt", "00000 1.5 0.01\n00007 1.6\n");
   EXPECT_THAT(error(), AllOf(HasSubstr("times.txt:2"), HasSubstr("00001.jpg")));
   WriteTumMono(folder.path(), 2);
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5\n96 64\n");
   EXPECT_THAT(error(), HasSubstr("camera.txt:1: '0.5 0.75 0.5 0.5' is not 'fx fy cx cy omega'"));
   WriteText(folder / "camera.txt", "48 48 47 31 0.9\n96 64\n");
-  EXPECT_THAT(error(), AllOf(HasSubstr("camera.txt:1"), HasSubstr("shares of the picture's")));
+  EXPECT_THAT(error(), AllOf(HasSubstr("camera.txt:1"), HasSubstr("shares of the image's")));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 9\n96 64\n");
   EXPECT_THAT(error(), HasSubstr("camera.txt: camera.omega is 9"));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n");
@@ -318,7 +318,7 @@ TEST(ParseResize, TakesASizeOrAFactor) {
   }
 }
 
-/// What `corvo run` makes of a folder of six tiny pictures and further arguments.
+/// What `corvo run` makes of a folder of six tiny images and further arguments.
 class PreparedInputs : public testing::Test {
  protected:
   PreparedInputs() {
@@ -338,7 +338,7 @@ class PreparedInputs : public testing::Test {
   RunArguments arguments_;
 };
 
-TEST_F(PreparedInputs, ResizeScalesTheCameraWithThePictures) {
+TEST_F(PreparedInputs, ResizeScalesTheCameraWithTheImages) {
   arguments_.resize = "48x16";
   RunInputs inputs = ReadInputs(arguments_, Interruption());
   EXPECT_EQ(inputs.camera.given.width, 48);
@@ -353,7 +353,7 @@ TEST_F(PreparedInputs, ResizeScalesTheCameraWithThePictures) {
   EXPECT_NEAR(image.at<std::uint8_t>(5, 10), cv::mean(block)[0], 1);
 }
 
-TEST_F(PreparedInputs, OneMaskIsForAllPictures) {
+TEST_F(PreparedInputs, OneMaskIsForAllImages) {
   cv::Mat mask(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(255));
   mask.colRange(0, 48) = 0;
   test::WriteImage(folder_ / "mask.png", mask);
@@ -366,7 +366,7 @@ TEST_F(PreparedInputs, OneMaskIsForAllPictures) {
   }
 }
 
-TEST_F(PreparedInputs, AFolderHasAMaskForEachPictureByName) {
+TEST_F(PreparedInputs, AFolderHasAMaskForEachImageByName) {
   for (int i = 0; i < 6; ++i) {
     test::WriteImage(folder_ / ("masks/" + std::to_string(i) + ".pgm"),
                      cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(10 * i)));
@@ -380,7 +380,7 @@ TEST_F(PreparedInputs, AFolderHasAMaskForEachPictureByName) {
               AllOf(HasSubstr("masks: holds no mask for"), HasSubstr("4.png")));
 }
 
-TEST_F(PreparedInputs, AFolderHasAMaskForEachPictureInOrder) {
+TEST_F(PreparedInputs, AFolderHasAMaskForEachImageInOrder) {
   for (int i = 0; i < 5; ++i) {
     test::WriteImage(folder_ / ("masks/mask_" + std::to_string(i) + ".png"),
                      cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(10 * i)));

@@ -11,20 +11,20 @@
 namespace corvo {
 namespace {
 
-FinishedLandmark At(LandmarkId id, int segment, double x) {
+MarginalizedLandmark At(LandmarkId id, int segment, double x) {
   return {id, segment, {x, 0.5, -1.0 / 3}};
 }
 
 TEST(LandmarkSpool, GivesBackWhatItTook) {
   LandmarkSpool spool;
-  spool.ForEach([](const FinishedLandmark&) { FAIL(); });
-  std::vector<FinishedLandmark> given = {At(7, 0, 1), At(3, 2, 1e-9)};
+  spool.ForEach([](const MarginalizedLandmark&) { FAIL(); });
+  std::vector<MarginalizedLandmark> given = {At(7, 0, 1), At(3, 2, 1e-9)};
   for (int round = 0; round < 2; ++round) {  // Reading does not disturb writing.
     std::size_t i = 0;
-    for (const FinishedLandmark& landmark : given) {
+    for (const MarginalizedLandmark& landmark : given) {
       if (round == 0 || landmark.id == 9) spool.Add(landmark);
     }
-    spool.ForEach([&](const FinishedLandmark& landmark) {
+    spool.ForEach([&](const MarginalizedLandmark& landmark) {
       ASSERT_LT(i, given.size());
       EXPECT_EQ(landmark.id, given[i].id);
       EXPECT_EQ(landmark.segment, given[i].segment);

@@ -17,12 +17,12 @@ using ::testing::StartsWith;
 
 constexpr int kBadInput = 1;
 
-/// A folder of three smooth pictures, full of corners.
+/// A folder of three smooth images, full of corners.
 class Learn : public testing::Test {
  protected:
   Learn() {
     for (int i = 0; i < 3; ++i) {
-      WriteImage(pictures_ / (std::to_string(i) + ".png"), SmoothImage(i, 320, 240));
+      WriteImage(images_ / (std::to_string(i) + ".png"), SmoothImage(i, 320, 240));
     }
   }
 
@@ -33,22 +33,22 @@ class Learn : public testing::Test {
   }
 
   TempFolder folder_;
-  const fs::path pictures_ = folder_ / "pictures";
+  const fs::path images_ = folder_ / "images";
   const fs::path pattern_ = folder_ / "pattern.inc";
 };
 
 TEST_F(Learn, WritesAPatternThatTheOptionsTake) {
-  const CommandResult result = RunLearn({pictures_, "-o", pattern_, "--source", "a drawing"});
+  const CommandResult result = RunLearn({images_, "-o", pattern_, "--source", "a drawing"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("256 tests from 1500 keypoints of 3 pictures\n"));
+  EXPECT_THAT(result.out, HasSubstr("256 tests from 1500 keypoints of 3 images\n"));
   const std::string text = ReadText(pattern_);
   EXPECT_THAT(text, StartsWith("// Binary tests of 5x5 windows, learned by corvo learn from 3 "
-                               "pictures:\n// a drawing\n// 1500 keypoints, each in two views."));
+                               "images:\n// a drawing\n// 1500 keypoints, each in two views."));
   EXPECT_NO_THROW(orb::ReadPattern(pattern_));
   const fs::path config = folder_ / "config.yaml";
   WriteText(config, "extractor:\n  pattern: " + pattern_.string() + "\n");
   const auto extract = [&](const fs::path& out, const std::vector<std::string>& tail) {
-    std::vector<std::string> arguments = {"features", pictures_ / "0.png", "-o", out};
+    std::vector<std::string> arguments = {"features", images_ / "0.png", "-o", out};
     arguments.insert(arguments.end(), tail.begin(), tail.end());
     EXPECT_EQ(RunCorvo(arguments).exit_code, 0);
     return ReadText(out / "0_features.csv");
@@ -58,8 +58,8 @@ TEST_F(Learn, WritesAPatternThatTheOptionsTake) {
 
 TEST_F(Learn, SameBytesForAnyThreadsAndOrder) {
   const fs::path again = folder_ / "again.inc";
-  ASSERT_EQ(RunLearn({pictures_, "-o", pattern_, "--threads", "1"}).exit_code, 0);
-  ASSERT_EQ(RunLearn({pictures_ / "2.png", pictures_ / "0.png", pictures_ / "1.png", "-o", again,
+  ASSERT_EQ(RunLearn({images_, "-o", pattern_, "--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(RunLearn({images_ / "2.png", images_ / "0.png", images_ / "1.png", "-o", again,
                       "--threads", "2"})
                 .exit_code,
             0);
@@ -70,7 +70,7 @@ TEST_F(Learn, AnEarlierFileIsReplacedByAWholeOneOnly) {
   WriteText(pattern_, "precious");
   EXPECT_EQ(RunLearn({folder_ / "none.png", "-o", pattern_}).exit_code, kBadInput);
   EXPECT_EQ(ReadText(pattern_), "precious");
-  EXPECT_EQ(RunLearn({pictures_, "-o", pattern_}).exit_code, 0);
+  EXPECT_EQ(RunLearn({images_, "-o", pattern_}).exit_code, 0);
   EXPECT_NO_THROW(orb::ReadPattern(pattern_));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 2)
       << "nothing else is left behind";
@@ -79,7 +79,7 @@ TEST_F(Learn, AnEarlierFileIsReplacedByAWholeOneOnly) {
 TEST_F(Learn, ShowsABarOnATerminal) {
   if (!fs::exists("/dev/pts/ptmx")) GTEST_SKIP() << "no pseudo-terminals here";
   const CommandResult shown =
-      RunCorvoOnTerminal({"learn", pictures_, "-o", pattern_, "--keypoints", "1500"});
+      RunCorvoOnTerminal({"learn", images_, "-o", pattern_, "--keypoints", "1500"});
   EXPECT_EQ(shown.exit_code, 0);
   EXPECT_THAT(shown.err, HasSubstr("] correlations up to 0."));
   EXPECT_THAT(shown.err, HasSubstr("256 of 256 tests"));
@@ -95,18 +95,18 @@ TEST_F(Learn, BadInputIsNamed) {
   fs::create_directory(folder_ / "empty");
   expect_error({folder_ / "empty", "-o", pattern_}, "empty");
   expect_error({folder_ / "none.png", "-o", pattern_}, "none.png: cannot be read");
-  WriteText(folder_ / "text.png", "no picture");
-  expect_error({folder_ / "text.png", "-o", pattern_}, "text.png: not a readable picture");
-  expect_error({pictures_, "-o", folder_ / "empty"}, "empty: is a folder");
-  expect_error({pictures_, "-o", folder_ / "text.png" / "p.inc"}, "text.png");
-  expect_error({pictures_, "-o", pattern_, "--source", "two\nlines"}, "--source must be one line");
-  expect_error({pictures_, "-o", pattern_, "--threads", "0"}, "--threads");
+  WriteText(folder_ / "text.png", "no image");
+  expect_error({folder_ / "text.png", "-o", pattern_}, "text.png: not a readable image");
+  expect_error({images_, "-o", folder_ / "empty"}, "empty: is a folder");
+  expect_error({images_, "-o", folder_ / "text.png" / "p.inc"}, "text.png");
+  expect_error({images_, "-o", pattern_, "--source", "two\nlines"}, "--source must be one line");
+  expect_error({images_, "-o", pattern_, "--threads", "0"}, "--threads");
   EXPECT_FALSE(fs::exists(pattern_));
 }
 
-TEST_F(Learn, PicturesWithTooFewCornersAreErrors) {
-  WriteImage(folder_ / "grey.png", cv::Mat(150, 200, CV_8UC1, cv::Scalar(128)));
-  const CommandResult result = RunLearn({folder_ / "grey.png", "-o", pattern_});
+TEST_F(Learn, ImagesWithTooFewCornersAreErrors) {
+  WriteImage(folder_ / "gray.png", cv::Mat(150, 200, CV_8UC1, cv::Scalar(128)));
+  const CommandResult result = RunLearn({folder_ / "gray.png", "-o", pattern_});
   EXPECT_EQ(result.exit_code, kBadInput);
   EXPECT_THAT(result.err, HasSubstr("0 keypoints to learn from; at least 1000 are needed"));
   EXPECT_FALSE(fs::exists(pattern_));

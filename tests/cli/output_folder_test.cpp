@@ -45,14 +45,14 @@ TEST(OutputFolder, LeavesNoFolderItMadeWithoutCommit) {
 
 TEST(OutputFolder, RemovesAnEarlierRunsFilesThatThisOneDoesNotWrite) {
   TempFolder folder;
-  WriteText(folder / "picture.png", "old");
+  WriteText(folder / "image.png", "old");
   WriteText(folder / "users.txt", "kept");
   {
     OutputFolder output(folder.path());
     output.Write("x.txt", "new");
-    output.Commit({"x.txt", "picture.png"});
+    output.Commit({"x.txt", "image.png"});
   }
-  EXPECT_FALSE(fs::exists(folder / "picture.png"));
+  EXPECT_FALSE(fs::exists(folder / "image.png"));
   EXPECT_TRUE(fs::exists(folder / "users.txt"));
   EXPECT_EQ(CountEntries(folder.path()), 2);
 }

@@ -99,26 +99,26 @@ TEST_F(Pipeline, EvalSaysWhatRunSays) {
   EXPECT_NEAR(measured["ate"]["rmse"], summary["evaluation"]["ate"]["rmse"], 1e-9);
 }
 
-TEST_F(Pipeline, WritesMetresAndDraws) {
+TEST_F(Pipeline, WritesMetersAndDraws) {
   const fs::path scaled = *folder_ / "scaled";
   ASSERT_EQ(
-      RunOn(Street(), scaled, {"--metres-per-unit", "4", "--draw", *folder_ / "tracks"}).exit_code,
+      RunOn(Street(), scaled, {"--meters-per-unit", "4", "--draw", *folder_ / "tracks"}).exit_code,
       kDone);
   for (const char* name : {"trajectory.tum", "keyframes.tum"}) {
-    const PoseSequence units = ReadTum(Result() / name), metres = ReadTum(scaled / name);
-    ASSERT_EQ(metres.size(), units.size());
-    EXPECT_EQ(metres.back().world_from_camera.translation(),
+    const PoseSequence units = ReadTum(Result() / name), meters = ReadTum(scaled / name);
+    ASSERT_EQ(meters.size(), units.size());
+    EXPECT_EQ(meters.back().world_from_camera.translation(),
               4 * units.back().world_from_camera.translation());
-    EXPECT_EQ(metres.back().world_from_camera.rotation().quaternion().coeffs(),
+    EXPECT_EQ(meters.back().world_from_camera.rotation().quaternion().coeffs(),
               units.back().world_from_camera.rotation().quaternion().coeffs());
   }
   EXPECT_EQ(ReadKittiPoses(scaled / "trajectory.kitti").back().translation(),
             4 * ReadKittiPoses(Result() / "trajectory.kitti").back().translation());
   EXPECT_NEAR(FirstVertex(scaled / "map.ply"), 4 * FirstVertex(Result() / "map.ply"), 1e-6);
   const auto summary = nlohmann::json::parse(ReadText(scaled / "summary.json"));
-  EXPECT_EQ(summary["metres_per_unit"], 4.0);
-  const fs::path pictures = *folder_ / "tracks";
-  EXPECT_EQ(std::distance(fs::directory_iterator(pictures), fs::directory_iterator()), kFrames);
+  EXPECT_EQ(summary["meters_per_unit"], 4.0);
+  const fs::path images = *folder_ / "tracks";
+  EXPECT_EQ(std::distance(fs::directory_iterator(images), fs::directory_iterator()), kFrames);
 }
 
 TEST_F(Pipeline, WritesTheCameraThatItFoundAndHowSurely) {
@@ -181,11 +181,11 @@ TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
 TEST_F(Pipeline, SaysThatItWasLostPartWay) {
   const fs::path dark = *folder_ / "dark";
   fs::copy(Street(), dark, fs::copy_options::recursive);
-  std::vector<fs::path> pictures;
-  for (const auto& entry : fs::directory_iterator(dark / "rgb")) pictures.push_back(entry.path());
-  std::sort(pictures.begin(), pictures.end());
-  const cv::Mat picture = cv::imread(pictures[20].string());
-  WriteImage(pictures[20], cv::Mat::zeros(picture.size(), CV_8UC1));
+  std::vector<fs::path> images;
+  for (const auto& entry : fs::directory_iterator(dark / "rgb")) images.push_back(entry.path());
+  std::sort(images.begin(), images.end());
+  const cv::Mat image = cv::imread(images[20].string());
+  WriteImage(images[20], cv::Mat::zeros(image.size(), CV_8UC1));
   const CommandResult result = RunOn(dark, *folder_ / "lost", {});
   EXPECT_EQ(result.exit_code, kLost);
   EXPECT_THAT(result.out, testing::StartsWith("lost part-way: 40 frames"));

@@ -34,13 +34,13 @@ TEST(PlotScript, HoldsEveryPositionWithItsTimeSinceTheStart) {
   EXPECT_THAT(script, Not(HasSubstr("ground truth")));
 }
 
-TEST(PlotScript, DrawsEverySegmentInItsOwnColour) {
+TEST(PlotScript, DrawsEverySegmentInItsOwnColor) {
   const std::string script = PlotScript({{kForward, kUpwards}, kForward});
   EXPECT_THAT(script, HasSubstr("title 'estimate, segment 1' lw 2 lt 2"));
   EXPECT_THAT(script, HasSubstr("title 'ground truth'"));
 }
 
-TEST(DrawTrajectory, WritesTheSamePictureTwice) {
+TEST(DrawTrajectory, WritesTheSameImageTwice) {
   test::TempFolder folder;
   ASSERT_TRUE(DrawTrajectory({{kForward, kUpwards}, kForward}, folder / "a.png"));
   ASSERT_TRUE(DrawTrajectory({{kForward, kUpwards}, kForward}, folder / "b.png"));

@@ -15,9 +15,9 @@ Bundle Seen(const std::vector<Eigen::Vector2d>& pixels, const Eigen::Vector2d& e
   for (const Eigen::Vector2d& pixel : pixels) {
     const Eigen::Vector2d ray = *test::PinholeCamera().Undistort(pixel);
     bundle.points.push_back({0, 5 * Eigen::Vector3d(ray.x(), ray.y(), 1)});
-    bundle.sightings.push_back(
+    bundle.observations.push_back(
         {0, static_cast<int>(bundle.points.size()) - 1, kNoId, pixel + error_px, 1.0});
-    bundle.sightings.back().is_inlier = true;
+    bundle.observations.back().is_inlier = true;
   }
   return bundle;
 }
@@ -36,7 +36,7 @@ TEST(MeanResidualsTest, AreThoseOfTheirCell) {
 
 TEST(MeanResidualsTest, OutliersDoNotCount) {
   std::vector<Bundle> bundles{Seen({{10, 10}}, {0.5, 0})};
-  bundles[0].sightings[0].is_inlier = false;
+  bundles[0].observations[0].is_inlier = false;
   EXPECT_EQ(MeanResiduals(test::PinholeCamera(), bundles, 1, 1)[0].count, 0);
 }
 

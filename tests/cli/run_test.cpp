@@ -39,7 +39,7 @@ int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// A folder of five pictures that show nothing in common, and a camera file for them.
+/// A folder of five images that show nothing in common, and a camera file for them.
 class Run : public testing::Test {
  protected:
   Run() {
@@ -74,10 +74,9 @@ class Run : public testing::Test {
 TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
   const CommandResult result = RunHere();
   EXPECT_EQ(result.exit_code, kNeverInitialized);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("never initialised"), HasSubstr("5 frames, 0 posed"),
+  EXPECT_THAT(result.out, AllOf(HasSubstr("never initialized"), HasSubstr("5 frames, 0 posed"),
                                 HasSubstr("\n5 of 5 frames have no pose:\n")));
-  EXPECT_THAT(result.out,
-              ContainsRegex("\n  too_few_matches +4  #+ +the pictures change too much "));
+  EXPECT_THAT(result.out, ContainsRegex("\n  too_few_matches +4  #+ +the images change too much "));
   EXPECT_FALSE(fs::exists(result_ / "trajectory.kitti"));
   EXPECT_EQ(Summary()["trajectory_kitti"], "not written: 5 of 5 frames have no pose");
   EXPECT_THAT(ReadText(result_ / "trajectory.tum"), testing::MatchesRegex("(#.*\n)?"));
@@ -136,7 +135,7 @@ TEST_F(Run, AccountsForEveryFrame) {
   const nlohmann::json summary = Summary();
   EXPECT_EQ(summary["frames"], 5);
   EXPECT_EQ(summary["posed"], 0);
-  EXPECT_EQ(summary["outcome"], "never initialised");
+  EXPECT_EQ(summary["outcome"], "never initialized");
   EXPECT_EQ(summary["layout"], "folder");
   EXPECT_EQ(summary["camera"]["fx"], 80.0);
   EXPECT_EQ(summary["calibration"]["fx"]["given"], 80.0);
@@ -212,17 +211,17 @@ TEST_F(Run, RefusesTheFocalSearchWhereItCannotBe) {
               HasSubstr("--focal"));
 }
 
-TEST_F(Run, SaysThatPicturesDoNotDetermineTheFocalLength) {
+TEST_F(Run, SaysThatImagesDoNotDetermineTheFocalLength) {
   const CommandResult run = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
   EXPECT_EQ(run.exit_code, kNeverInitialized);
-  EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 pairs of pictures)"));
+  EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 pairs of images)"));
   const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // 70 degrees of 96 px.
 }
 
-/// Pictures of a rendered room alone, without their camera.
-TEST_F(Run, FindsTheFocalLengthOfPicturesWithoutACamera) {
+/// Images of a rendered room alone, without their camera.
+TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   const int every = 6;
   RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100"});
   const std::vector<std::string> arguments = {"run",     folder_ / "room/rgb",  "--focal", "auto",
@@ -251,12 +250,12 @@ TEST_F(Run, NamesBadInput) {
   EXPECT_FALSE(fs::exists(result_));
 }
 
-TEST_F(Run, NamesAPictureOfTheWrongSize) {
+TEST_F(Run, NamesAImageOfTheWrongSize) {
   WriteImage(images_ / "3.png", TinyImage(3, 80, 60));
-  ExpectError(RunHere(), "3.png: the picture is 80 x 60 px, the camera 96 x 64 px");
+  ExpectError(RunHere(), "3.png: the image is 80 x 60 px, the camera 96 x 64 px");
 }
 
-TEST_F(Run, ReadsTheSelectedPictures) {
+TEST_F(Run, ReadsTheSelectedImages) {
   RunHere({"--start", "1", "--every", "2", "--count", "2", "--fps", "10"});
   const std::string table = ReadText(result_ / "frames.csv");
   EXPECT_EQ(CountLines(table), 3);
@@ -265,7 +264,7 @@ TEST_F(Run, ReadsTheSelectedPictures) {
   ExpectError(RunHere({"--every", "0"}), "--every");
 }
 
-TEST_F(Run, ResizesPicturesAndCamera) {
+TEST_F(Run, ResizesImagesAndCamera) {
   RunHere({"--resize", "0.5"});
   EXPECT_EQ(Summary()["camera"]["width"], 48);
   EXPECT_EQ(Summary()["camera"]["fx"], 40.0);
@@ -298,7 +297,7 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItFails) {
     before[entry.path()] = ReadText(entry.path());
   }
   WriteText(images_ / "4.png", "garbage");
-  ExpectError(RunHere(), "4.png: not a readable picture");
+  ExpectError(RunHere(), "4.png: not a readable image");
   std::map<fs::path, std::string> after;
   for (const auto& entry : fs::directory_iterator(result_)) {
     after[entry.path()] = ReadText(entry.path());
@@ -308,8 +307,8 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItFails) {
 
 TEST_F(Run, LeavesEarlierResultsUntouchedWhenItIsInterrupted) {
   WriteText(result_ / "trajectory.tum", "precious");
-  const cv::Mat picture = TinyImage(0, 640, 480);
-  WriteImage(folder_ / "many/0.png", picture);
+  const cv::Mat image = TinyImage(0, 640, 480);
+  WriteImage(folder_ / "many/0.png", image);
   for (int i = 1; i < 500; ++i) {
     fs::create_hard_link(folder_ / "many/0.png", folder_ / "many" / (std::to_string(i) + ".png"));
   }
@@ -333,7 +332,7 @@ TEST_F(Run, ShowsABarOnATerminalOnly) {
   EXPECT_THAT(RunCorvo(arguments).err, IsEmpty());
 }
 
-/// `corvo run` on 200 pictures of a kitchen with this focal length; 585 px is published.
+/// `corvo run` on 200 images of a kitchen with this focal length; 585 px is published.
 CommandResult RunKitchen(const fs::path& folder, double focal_px,
                          const std::string& calibration = "estimate") {
   const std::string focal = std::to_string(focal_px);
@@ -354,7 +353,7 @@ TEST(RunWithTheWrongCamera, WarnsThatTheCalibrationIsImplausible) {
   EXPECT_EQ(residuals()["implausible_calibration"], false);
   EXPECT_LT(residuals()["median_px"], 2);
   EXPECT_THAT(RunKitchen(folder.path(), 1170).err,
-              HasSubstr("warning: the pictures contradict the given camera"));
+              HasSubstr("warning: the images contradict the given camera"));
   EXPECT_THAT(RunKitchen(folder.path(), 1755, "fixed").err,
               HasSubstr("warning: the calibration is implausible"));
   EXPECT_EQ(residuals()["implausible_calibration"], true);

@@ -71,7 +71,7 @@ TEST_P(ShippedOptions, WorkWithEveryCommandThatTakesThem) {
   EXPECT_EQ(ReadText(out / "config.yaml"), config.out);
 }
 
-TEST_P(ShippedCamera, RunsOnPicturesOfItsSize) {
+TEST_P(ShippedCamera, RunsOnImagesOfItsSize) {
   const Camera camera = ReadCameraFile(file_).camera;
   for (const int i : {0, 1}) {
     const cv::Mat image(camera.height(), camera.width(), CV_8UC1, cv::Scalar(100 + i));

@@ -14,7 +14,7 @@ namespace corvo::test {
 inline constexpr int kTinyWidth = 96;
 inline constexpr int kTinyHeight = 64;
 
-/// A grey picture with a seeded random texture.
+/// A gray image with a seeded random texture.
 inline cv::Mat TinyImage(int seed, int width = kTinyWidth, int height = kTinyHeight) {
   cv::Mat image(height, width, CV_8UC1);
   cv::RNG rng(static_cast<std::uint64_t>(seed) + 1);
@@ -35,7 +35,7 @@ inline void WriteImage(const std::filesystem::path& file, const cv::Mat& image) 
   ASSERT_TRUE(cv::imwrite(file.string(), image)) << file;
 }
 
-/// Pictures 0.png, 1.png, ...
+/// Images 0.png, 1.png, ...
 inline void WriteFolder(const std::filesystem::path& folder, int count) {
   for (int i = 0; i < count; ++i) WriteImage(folder / (std::to_string(i) + ".png"), TinyImage(i));
 }
@@ -52,7 +52,7 @@ inline void WriteKitti(const std::filesystem::path& folder, int count) {
             "P0: 80 0 47.5 0 0 81 31.5 0 0 0 1 0\nP1: 80 0 47.5 -9 0 81 31.5 0 0 0 1 0\n");
 }
 
-/// sensor.yaml as the dataset has it, with the size of the tiny pictures.
+/// sensor.yaml as the dataset has it, with the size of the tiny images.
 inline std::string EurocSensor() {
   return "%YAML:1.0\n# General sensor definitions.\nsensor_type: camera\n"
          "T_BS:\n  cols: 4\n  rows: 4\n  data: [1.0, 0.0, 0.0, 0.0,\n"
@@ -75,16 +75,16 @@ inline void WriteEuroc(const std::filesystem::path& mav0, int count) {
   WriteText(mav0 / "cam0" / "sensor.yaml", EurocSensor());
 }
 
-/// A TUM RGB-D sequence at 25 Hz, in colour.
+/// A TUM RGB-D sequence at 25 Hz, in color.
 inline void WriteTum(const std::filesystem::path& folder, int count) {
   std::string table = "# color images\n# timestamp filename\n";
   for (int i = 0; i < count; ++i) {
-    cv::Mat grey = TinyImage(i);
-    cv::Mat colour;
-    cv::merge(std::vector<cv::Mat>{grey, grey, grey}, colour);
+    cv::Mat gray = TinyImage(i);
+    cv::Mat color;
+    cv::merge(std::vector<cv::Mat>{gray, gray, gray}, color);
     const std::string time = std::to_string(1305031102175304 + 40000 * i);
     const std::string name = "rgb/" + time.substr(0, 10) + "." + time.substr(10) + ".png";
-    WriteImage(folder / name, colour);
+    WriteImage(folder / name, color);
     table += time.substr(0, 10) + "." + time.substr(10) + " " + name + "\n";
   }
   WriteText(folder / "rgb.txt", table);

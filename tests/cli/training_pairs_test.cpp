@@ -21,12 +21,12 @@ bool SameBytes(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && cv::norm(a, b, cv::NORM_L1) == 0;
 }
 
-TEST(MakeTrainingViewTest, IsThePictureWhereItsHomographySays) {
-  cv::Mat picture(200, 300, CV_8UC1, cv::Scalar(0));
-  cv::circle(picture, {210, 60}, 9, cv::Scalar(255), cv::FILLED);
+TEST(MakeTrainingViewTest, IsTheImageWhereItsHomographySays) {
+  cv::Mat image(200, 300, CV_8UC1, cv::Scalar(0));
+  cv::circle(image, {210, 60}, 9, cv::Scalar(255), cv::FILLED);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const TrainingView view = MakeTrainingView(picture, seed);
-    const cv::Point2d expected = Apply(view.view_from_picture, 210, 60);
+    const TrainingView view = MakeTrainingView(image, seed);
+    const cv::Point2d expected = Apply(view.view_from_image, 210, 60);
     const cv::Rect around(static_cast<int>(expected.x) - 20, static_cast<int>(expected.y) - 20, 41,
                           41);  // Elsewhere may be mirror images.
     const cv::Moments moments = cv::moments(view.image(around) > 128, true);
@@ -36,13 +36,13 @@ TEST(MakeTrainingViewTest, IsThePictureWhereItsHomographySays) {
   }
 }
 
-TEST(MakeTrainingViewTest, ShowsTheWholePicture) {
-  const cv::Mat picture = SmoothImage(1, 160, 120);
+TEST(MakeTrainingViewTest, ShowsTheWholeImage) {
+  const cv::Mat image = SmoothImage(1, 160, 120);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const TrainingView view = MakeTrainingView(picture, seed);
+    const TrainingView view = MakeTrainingView(image, seed);
     for (const auto& [x, y] :
          {cv::Point(0, 0), cv::Point(159, 0), cv::Point(0, 119), cv::Point(159, 119)}) {
-      const cv::Point2d corner = Apply(view.view_from_picture, x, y);
+      const cv::Point2d corner = Apply(view.view_from_image, x, y);
       EXPECT_GE(std::min(corner.x, corner.y), -1e-9);
       EXPECT_LT(corner.x, view.image.cols);
       EXPECT_LT(corner.y, view.image.rows);
@@ -51,9 +51,9 @@ TEST(MakeTrainingViewTest, ShowsTheWholePicture) {
 }
 
 TEST(MakeTrainingViewTest, DependsOnTheSeedAlone) {
-  const cv::Mat picture = SmoothImage(1, 160, 120);
-  EXPECT_TRUE(SameBytes(MakeTrainingView(picture, 5).image, MakeTrainingView(picture, 5).image));
-  EXPECT_FALSE(SameBytes(MakeTrainingView(picture, 5).image, MakeTrainingView(picture, 6).image));
+  const cv::Mat image = SmoothImage(1, 160, 120);
+  EXPECT_TRUE(SameBytes(MakeTrainingView(image, 5).image, MakeTrainingView(image, 5).image));
+  EXPECT_FALSE(SameBytes(MakeTrainingView(image, 5).image, MakeTrainingView(image, 6).image));
 }
 
 class FindAgainTest : public testing::Test {
@@ -96,8 +96,8 @@ TEST_F(FindAgainTest, WhatTheViewCannotShowIsLeftOut) {
 }
 
 TEST(TrainingPairSamplerTest, PairsMostlyLookAlike) {
-  const cv::Mat picture = SmoothImage(2, 320, 240);
-  const TrainingPairs pairs = TrainingPairSampler({}).Sample(picture, 1);
+  const cv::Mat image = SmoothImage(2, 320, 240);
+  const TrainingPairs pairs = TrainingPairSampler({}).Sample(image, 1);
   ASSERT_GT(pairs.first.size(), 50U);
   ASSERT_EQ(pairs.first.size(), pairs.second.size());
   constexpr int kLeft = 13 * 27;  // of the middle row

@@ -23,9 +23,9 @@ cv::Mat Draw(const corvo::Camera& camera, double offset_m) {
     for (int spot = 0; spot <= kSpots; ++spot) {
       const double half_side_m = spot == 0 ? 0.8 : random.uniform(0.05, 0.25);
       const double reach_m = 0.8 - half_side_m;
-      const Eigen::Vector3d centre(x + random.uniform(-1.0, 1.0) * reach_m,
+      const Eigen::Vector3d center(x + random.uniform(-1.0, 1.0) * reach_m,
                                    y + random.uniform(-1.0, 1.0) * reach_m, z);
-      const Eigen::Vector2d pixel = camera.Project(centre).value();
+      const Eigen::Vector2d pixel = camera.Project(center).value();
       const double half_side = camera.fx() * half_side_m / z;
       const cv::Rect square(cv::Point2d(pixel.x() - half_side, pixel.y() - half_side),
                             cv::Point2d(pixel.x() + half_side, pixel.y() + half_side));

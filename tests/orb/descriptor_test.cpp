@@ -12,23 +12,23 @@ namespace {
 
 bool Bit(const Descriptor& descriptor, int i) { return (descriptor.bytes[i / 8] >> (i % 8)) & 1; }
 
-/// Of the centre of a picture of 43 x 43.
-Descriptor DescribeCentre(const cv::Mat& image, const Describer& describer, float angle_deg) {
+/// Of the center of an image of 43 x 43.
+Descriptor DescribeCenter(const cv::Mat& image, const Describer& describer, float angle_deg) {
   const cv::Mat sums = WindowSums(image);
   return describer.Describe(sums.ptr<std::uint16_t>(21) + 21, 43, angle_deg);
 }
 
 /// In direction `bin` of `bins`.
-Descriptor DescribeCentre(const cv::Mat& image, int bin, int bins) {
+Descriptor DescribeCenter(const cv::Mat& image, int bin, int bins) {
   const Describer describer(MakeBriefPattern(), bins, false);
-  return DescribeCentre(image, describer, 360.0F * static_cast<float>(bin) / bins);
+  return DescribeCenter(image, describer, 360.0F * static_cast<float>(bin) / bins);
 }
 
 TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
   const cv::Mat image = test::NoiseImage({43, 43}, 2);
   const RotatedPatterns patterns(MakeBriefPattern(), 30);
   for (int bin = 0; bin < 30; ++bin) {
-    const Descriptor descriptor = DescribeCentre(image, bin, 30);
+    const Descriptor descriptor = DescribeCenter(image, bin, 30);
     for (int i = 0; i < kNumTests; ++i) {
       const auto& [p, q] = patterns[bin][i];
       const bool darker =
@@ -41,18 +41,18 @@ TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
 TEST(DescriberTest, UprightHasOneDirection) {
   const cv::Mat image = test::NoiseImage({43, 43}, 5);
   const Describer upright(MakeBriefPattern(), 30, true);
-  EXPECT_EQ(DescribeCentre(image, upright, 0), DescribeCentre(image, 0, 30));
-  EXPECT_EQ(DescribeCentre(image, upright, 200), DescribeCentre(image, 0, 30));
+  EXPECT_EQ(DescribeCenter(image, upright, 0), DescribeCenter(image, 0, 30));
+  EXPECT_EQ(DescribeCenter(image, upright, 200), DescribeCenter(image, 0, 30));
 }
 
 TEST(DescriberTest, EqualSumsGiveZero) {
-  EXPECT_EQ(DescribeCentre(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)), 0, 30), Descriptor{});
+  EXPECT_EQ(DescribeCenter(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)), 0, 30), Descriptor{});
 }
 
 TEST(DescriberTest, GainAndOffsetChangeNothing) {
   const cv::Mat image = test::NoiseImage({43, 43}, 3) / 4;  // 0 to 64
   const cv::Mat brighter = 3 * image + cv::Scalar(60);      // to 252, nothing saturates
-  EXPECT_EQ(DescribeCentre(brighter, 1, 30), DescribeCentre(image, 1, 30));
+  EXPECT_EQ(DescribeCenter(brighter, 1, 30), DescribeCenter(image, 1, 30));
 }
 
 TEST(DescriberTest, TurnsWithTheImage) {
@@ -60,7 +60,7 @@ TEST(DescriberTest, TurnsWithTheImage) {
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);
   for (int bin = 0; bin < 27; ++bin) {
-    EXPECT_EQ(DescribeCentre(turned, bin + 9, 36), DescribeCentre(image, bin, 36));
+    EXPECT_EQ(DescribeCenter(turned, bin + 9, 36), DescribeCenter(image, bin, 36));
   }
 }
 

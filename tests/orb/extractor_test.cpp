@@ -27,7 +27,7 @@ namespace corvo::orb {
 namespace {
 
 using test::NoiseImage;
-using test::ReadGrey;
+using test::ReadGray;
 using test::ShapesImage;
 using test::ThrowsError;
 
@@ -111,7 +111,7 @@ TEST(ExtractorTest, ReturnsExactlyTheWantedNumberWhereCornersSuffice) {
 TEST(ExtractorTest, ReturnsExactlyTheWantedNumberOnRealImages) {
   CORVO_REQUIRE_DATA("oxford_affine");
   for (const auto& path : test::RealImages()) {
-    const cv::Mat image = ReadGrey(path);
+    const cv::Mat image = ReadGray(path);
     const cv::Mat part = image(cv::Rect(0, 0, 400, 300) & cv::Rect({}, image.size()));
     ExpectExactlyTheWantedNumber(part, cv::Mat(), {500, 2000});
     ExpectExactlyTheWantedNumber(part, DiscMask(part.size(), 1), {200});
@@ -304,8 +304,8 @@ Features OfOctave(const Features& features, int octave) {
 }
 
 std::vector<Match> MatchMutually(const Features& query, const Features& train) {
-  const auto matches = KeepNear(FindNearest(query.descriptors, train.descriptors), 256);
-  return KeepMutual(matches, FindNearest(train.descriptors, query.descriptors));
+  const auto matches = DistanceTest(FindNearest(query.descriptors, train.descriptors), 256);
+  return CrossCheck(matches, FindNearest(train.descriptors, query.descriptors));
 }
 
 /// Half the median distance between keypoints and their matches in the image turned by 180
@@ -325,7 +325,7 @@ double HalfTurnBias(const Features& features, const Features& turned, cv::Size s
 TEST(ExtractorTest, CoordinatesHaveNoBiasAtAnyOctave) {
   CORVO_REQUIRE_DATA("oxford_affine");
   for (const auto& path : test::RealImages()) {
-    const cv::Mat image = ReadGrey(path);
+    const cv::Mat image = ReadGray(path);
     cv::Mat turned_image;
     cv::rotate(image, turned_image, cv::ROTATE_180);
     const Features features = Extractor().Extract(image);
@@ -460,8 +460,8 @@ TEST(ExtractorTest, BadInputIsNamed) {
 TEST(ExtractorTest, MatchesAPlaneSeenFromTheSide) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor(WithFeatures(1000));
-  const Features first = extractor.Extract(ReadGrey("oxford_affine/graf/img1.ppm"));
-  const Features second = extractor.Extract(ReadGrey("oxford_affine/graf/img2.ppm"));
+  const Features first = extractor.Extract(ReadGray("oxford_affine/graf/img1.ppm"));
+  const Features second = extractor.Extract(ReadGray("oxford_affine/graf/img2.ppm"));
   const cv::Matx33d second_from_first = test::ReadHomography("oxford_affine/graf/H1to2p");
   int correct = 0;
   for (const Match& match : MatchMutually(first, second)) {

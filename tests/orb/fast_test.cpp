@@ -58,12 +58,12 @@ constexpr std::array<std::array<int, 2>, 16> kRing = {{{0, -3},
                                                        {-2, -2},
                                                        {-1, -3}}};
 
-/// A grey image of 100 with an arc of the circle about (3, 3) at another level.
-cv::Mat ArcImage(int first, int length, int grey) {
+/// A gray image of 100 with an arc of the circle about (3, 3) at another level.
+cv::Mat ArcImage(int first, int length, int gray) {
   cv::Mat image(7, 7, CV_8UC1, cv::Scalar(100));
   for (int k = first; k < first + length; ++k) {
     image.at<std::uint8_t>(3 + kRing[k % 16][1], 3 + kRing[k % 16][0]) =
-        static_cast<std::uint8_t>(grey);
+        static_cast<std::uint8_t>(gray);
   }
   return image;
 }
@@ -89,7 +89,7 @@ TEST(DetectFastTest, FullContrastIsFoundAtTheHighestThreshold) {
   EXPECT_THAT(DetectFast(image, 254), ElementsAre(Corner{3, 3, 254}));
 }
 
-TEST(DetectFastTest, EqualNeighboursSuppressOneAnother) {
+TEST(DetectFastTest, EqualNeighborsSuppressOneAnother) {
   cv::Mat image(9, 10, CV_8UC1, cv::Scalar(0));
   image.at<std::uint8_t>(4, 4) = 200;
   EXPECT_EQ(DetectFast(image, 20).size(), 1U);
@@ -118,7 +118,7 @@ TEST(DetectFastTest, EqualsOpenCvAtEveryWidth) {
 TEST(DetectFastTest, EqualsOpenCvOnRealImages) {
   CORVO_REQUIRE_DATA("oxford_affine");
   for (const auto& path : test::RealImages()) {
-    const cv::Mat image = test::ReadGrey(path);
+    const cv::Mat image = test::ReadGray(path);
     for (const int threshold : {3, 7, 20, 50}) {
       EXPECT_EQ(DetectFast(image, threshold), DetectWithOpenCv(image, threshold)) << path;
     }

@@ -125,7 +125,7 @@ TEST(SelectInGridTest, IsTheDefinition) {
   }
 }
 
-TEST(SelectInGridTest, NoCellGoesShortWhileAnotherIsFavoured) {
+TEST(SelectInGridTest, NoCellGoesShortWhileAnotherIsFavored) {
   const cv::Rect area(0, 0, 320, 160);  // 10 x 5 cells of exactly 32 px
   const auto corners = RandomCorners(area, 1500, 3);
   const auto chosen = SelectInGrid(corners, area, 32, 400);

@@ -23,28 +23,28 @@ cv::Mat NoiseImage(cv::Size size, std::uint64_t seed) {
   return image;
 }
 
-cv::Mat ShapesImage(cv::Size size, std::uint64_t seed, int min_grey, int max_grey) {
+cv::Mat ShapesImage(cv::Size size, std::uint64_t seed, int min_gray, int max_gray) {
   Random random(seed);
-  cv::Mat image(size, CV_8UC1, cv::Scalar(min_grey));
+  cv::Mat image(size, CV_8UC1, cv::Scalar(min_gray));
   const auto point = [&](cv::Point near, int reach) {
     const int x = near.x + random.UniformInt(-reach, reach);
     return cv::Point(x, near.y + random.UniformInt(-reach, reach));
   };
   for (int i = 0; i < size.area() / 150; ++i) {
     const int x = random.UniformInt(0, size.width);
-    const cv::Point centre(x, random.UniformInt(0, size.height));
-    const cv::Scalar grey(random.UniformInt(min_grey, max_grey));
-    const cv::Point a = point(centre, 20), b = point(centre, 20), c = point(centre, 20);
+    const cv::Point center(x, random.UniformInt(0, size.height));
+    const cv::Scalar gray(random.UniformInt(min_gray, max_gray));
+    const cv::Point a = point(center, 20), b = point(center, 20), c = point(center, 20);
     if (random.UniformInt(0, 1) == 0) {
-      cv::rectangle(image, a, b, grey, cv::FILLED);
+      cv::rectangle(image, a, b, gray, cv::FILLED);
     } else {
-      cv::fillConvexPoly(image, std::vector<cv::Point>{a, b, c}, grey);
+      cv::fillConvexPoly(image, std::vector<cv::Point>{a, b, c}, gray);
     }
   }
   return image;
 }
 
-cv::Mat ReadGrey(const std::string& relative) {
+cv::Mat ReadGray(const std::string& relative) {
   cv::Mat image = cv::imread(DataPath(relative).string(), cv::IMREAD_GRAYSCALE);
   EXPECT_FALSE(image.empty()) << "cannot read " << DataPath(relative);
   return image;

@@ -11,19 +11,19 @@
 
 namespace corvo::test {
 
-/// Independent grey levels in [0, 255].
+/// Independent gray levels in [0, 255].
 cv::Mat NoiseImage(cv::Size size, std::uint64_t seed);
 
-/// Overlapping filled rectangles and triangles of random grey levels in [min_grey, max_grey].
-cv::Mat ShapesImage(cv::Size size, std::uint64_t seed, int min_grey = 0, int max_grey = 255);
+/// Overlapping filled rectangles and triangles of random gray levels in [min_gray, max_gray].
+cv::Mat ShapesImage(cv::Size size, std::uint64_t seed, int min_gray = 0, int max_gray = 255);
 
-/// A grey image of the test data. Fails the test if it cannot be read.
-cv::Mat ReadGrey(const std::string& relative);
+/// A gray image of the test data. Fails the test if it cannot be read.
+cv::Mat ReadGray(const std::string& relative);
 
 /// The nine numbers of a file of the test data. Fails the test if it cannot be read.
 cv::Matx33d ReadHomography(const std::string& relative);
 
-/// Pictures of the test data that differ in kind: street, wall, trees, room.
+/// Images of the test data that differ in kind: street, wall, trees, room.
 const std::vector<std::string>& RealImages();
 
 /// Of the 25 pixels around (x, y).

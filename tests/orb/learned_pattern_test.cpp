@@ -43,11 +43,11 @@ std::vector<int> Signs(const std::vector<Descriptor>& descriptors, int i) {
   return signs;
 }
 
-/// Root mean square of the correlations between different tests, over the keypoints of pictures.
+/// Root mean square of the correlations between different tests, over the keypoints of images.
 double RmsCorrelation(const std::string& pattern) {
   std::vector<Descriptor> descriptors;
   for (const std::string& image : test::RealImages()) {
-    const Features features = WithPattern(pattern).Extract(test::ReadGrey(image));
+    const Features features = WithPattern(pattern).Extract(test::ReadGray(image));
     descriptors.insert(descriptors.end(), features.descriptors.begin(), features.descriptors.end());
   }
   std::vector<std::vector<int>> signs;
@@ -71,11 +71,12 @@ TEST(LearnedPatternTest, TestsCorrelateLessThanSampledOnes) {
   EXPECT_LT(RmsCorrelation("learned"), RmsCorrelation("brief"));
 }
 
-/// Mutual nearest neighbours within 3 px of where the homography takes them.
+/// Mutual nearest neighbors within 3 px of where the homography takes them.
 int CountCorrect(const Features& first, const Features& second,
                  const cv::Matx33d& second_from_first) {
-  const auto matches = KeepMutual(KeepNear(FindNearest(first.descriptors, second.descriptors), 256),
-                                  FindNearest(second.descriptors, first.descriptors));
+  const auto matches =
+      CrossCheck(DistanceTest(FindNearest(first.descriptors, second.descriptors), 256),
+                 FindNearest(second.descriptors, first.descriptors));
   int count = 0;
   for (const Match& match : matches) {
     const Keypoint& from = first.keypoints[match.query];
@@ -86,12 +87,12 @@ int CountCorrect(const Features& first, const Features& second,
   return count;
 }
 
-/// Correct matches of the first picture of a folder with each of the others, together.
+/// Correct matches of the first image of a folder with each of the others, together.
 int CountCorrect(const std::string& folder, const std::string& extension,
                  const std::string& pattern) {
   const Extractor extractor = WithPattern(pattern);
   const auto extract = [&](int i) {
-    return extractor.Extract(test::ReadGrey(folder + "/img" + std::to_string(i) + extension));
+    return extractor.Extract(test::ReadGray(folder + "/img" + std::to_string(i) + extension));
   };
   const Features first = extract(1);
   int count = 0;

@@ -13,8 +13,8 @@
 
 namespace corvo::orb {
 
-void PrintTo(const Neighbour& neighbour, std::ostream* out) {
-  *out << neighbour.index << " at " << neighbour.distance;
+void PrintTo(const Neighbor& neighbor, std::ostream* out) {
+  *out << neighbor.index << " at " << neighbor.distance;
 }
 
 namespace {
@@ -28,7 +28,7 @@ using Descriptors = std::vector<Descriptor>;
 /// Every key of every table is looked into.
 constexpr LshIndexOptions kExact = {.num_tables = 3, .max_flips = 21, .recall = 1};
 
-/// Each bit is its neighbour's with a chance of 3/4, so that keys are not uniform.
+/// Each bit is its neighbor's with a chance of 3/4, so that keys are not uniform.
 Descriptors DependentBits(int count, std::uint64_t seed) {
   test::Random random(seed);
   Descriptors descriptors(count);
@@ -52,9 +52,8 @@ Descriptor FlipBits(Descriptor descriptor, int count, test::Random& random) {
   return descriptor;
 }
 
-std::vector<Neighbour> NaiveNearest(const Descriptors& descriptors, const Descriptor& query,
-                                    int k) {
-  std::vector<Neighbour> all;
+std::vector<Neighbor> NaiveNearest(const Descriptors& descriptors, const Descriptor& query, int k) {
+  std::vector<Neighbor> all;
   for (int i = 0; i < static_cast<int>(descriptors.size()); ++i) {
     all.push_back({HammingDistance(query, descriptors[i]), i});
   }
@@ -92,8 +91,8 @@ TEST(LshIndexTest, OfEqualDescriptorsTheFirstAreNearest) {
   const Descriptor twin = descriptors[4000];
   descriptors[100] = descriptors[8000] = twin;
   const LshIndex index(descriptors);
-  EXPECT_THAT(index.FindNearest(twin, 2), ElementsAre(Neighbour{0, 100}, Neighbour{0, 4000}));
-  EXPECT_EQ(index.FindNearest(twin, 3).back(), (Neighbour{0, 8000}));
+  EXPECT_THAT(index.FindNearest(twin, 2), ElementsAre(Neighbor{0, 100}, Neighbor{0, 4000}));
+  EXPECT_EQ(index.FindNearest(twin, 3).back(), (Neighbor{0, 8000}));
 }
 
 TEST(LshIndexTest, FindsMostNearestAmongManyWithFlippedBits) {
@@ -105,7 +104,7 @@ TEST(LshIndexTest, FindsMostNearestAmongManyWithFlippedBits) {
   for (int run = 0; run < kQueries; ++run) {
     const int source = random.UniformInt(0, index.size() - 1);
     const Descriptor query = FlipBits(descriptors[source], random.UniformInt(25, 50), random);
-    const std::vector<Neighbour> nearest = index.FindNearest(query, 1);
+    const std::vector<Neighbor> nearest = index.FindNearest(query, 1);
     found += nearest.size() == 1 && nearest[0].index == source;
   }
   EXPECT_GE(found, 0.95 * kQueries);
@@ -121,7 +120,7 @@ TEST(LshIndexTest, MoreRecallFindsMore) {
     for (int run = 0; run < 200; ++run) {
       const int source = random.UniformInt(0, index.size() - 1);
       const Descriptor query = FlipBits(descriptors[source], 45, random);
-      const std::vector<Neighbour> nearest = index.FindNearest(query, 1);
+      const std::vector<Neighbor> nearest = index.FindNearest(query, 1);
       found += !nearest.empty() && nearest[0].index == source;
     }
     EXPECT_GT(found, last) << recall;
@@ -136,11 +135,11 @@ TEST(LshIndexTest, DistancesAreTrueAndSorted) {
   const LshIndex index(descriptors);
   for (int run = 0; run < 50; ++run) {
     const Descriptor query = FlipBits(descriptors[run], 40, random);
-    const std::vector<Neighbour> nearest = index.FindNearest(query, 5);
+    const std::vector<Neighbor> nearest = index.FindNearest(query, 5);
     EXPECT_TRUE(std::is_sorted(nearest.begin(), nearest.end()));
     EXPECT_EQ(std::adjacent_find(nearest.begin(), nearest.end()), nearest.end());
-    for (const Neighbour& neighbour : nearest) {
-      EXPECT_EQ(neighbour.distance, HammingDistance(query, descriptors[neighbour.index]));
+    for (const Neighbor& neighbor : nearest) {
+      EXPECT_EQ(neighbor.distance, HammingDistance(query, descriptors[neighbor.index]));
     }
   }
 }
@@ -164,7 +163,7 @@ TEST(LshIndexTest, EmptyFindsNothing) {
 
 TEST(LshIndexTest, DescriptorsAllAlikeAreFound) {
   const LshIndex index(Descriptors(10000, Descriptor()));
-  EXPECT_THAT(index.FindNearest({}, 2), ElementsAre(Neighbour{0, 0}, Neighbour{0, 1}));
+  EXPECT_THAT(index.FindNearest({}, 2), ElementsAre(Neighbor{0, 0}, Neighbor{0, 1}));
 }
 
 TEST(LshIndexTest, KeepsItsDescriptorsAndSaysWhatTheyTake) {

@@ -59,8 +59,8 @@ TEST(FindNearestTest, IsTheDefinitionWithTiesToTheLowerIndex) {
 TEST(FindNearestTest, IsTheDefinitionOnRealImages) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor({.num_features = 1200});
-  const auto queries = extractor.Extract(test::ReadGrey("oxford_affine/graf/img1.ppm"));
-  const auto train = extractor.Extract(test::ReadGrey("oxford_affine/graf/img2.ppm"));
+  const auto queries = extractor.Extract(test::ReadGray("oxford_affine/graf/img1.ppm"));
+  const auto train = extractor.Extract(test::ReadGray("oxford_affine/graf/img2.ppm"));
   std::vector<int> all(train.descriptors.size());
   std::iota(all.begin(), all.end(), 0);
   const auto nearest = FindNearest(queries.descriptors, train.descriptors);
@@ -129,14 +129,14 @@ TEST(FindNearestInWindowsTest, SizesMustFit) {
 
 TEST(KeepNearTest, KeepsUpToTheLimitInQueryOrder) {
   const std::vector<Nearest> nearest = {{4, 50}, {}, {2, 51}, {1, 0}};
-  EXPECT_THAT(KeepNear(nearest, 50), ElementsAre(Match{0, 4, 50}, Match{3, 1, 0}));
-  EXPECT_THAT(KeepNear(nearest, 257),
+  EXPECT_THAT(DistanceTest(nearest, 50), ElementsAre(Match{0, 4, 50}, Match{3, 1, 0}));
+  EXPECT_THAT(DistanceTest(nearest, 257),
               ElementsAre(Match{0, 4, 50}, Match{2, 2, 51}, Match{3, 1, 0}));
 }
 
 TEST(KeepDistinctTest, ComparesWithTheSecond) {
   const std::vector<Nearest> nearest = {{1, 39, 50, 2}, {1, 40, 50, 2}, {1, 41, 50, 2}};
-  const auto kept = KeepDistinct(nearest, 0.8);
+  const auto kept = RatioTest(nearest, 0.8);
   EXPECT_THAT(kept[0], nearest[0]);
   EXPECT_EQ(kept[1].index, -1);
   EXPECT_EQ(kept[2].index, -1);
@@ -144,7 +144,7 @@ TEST(KeepDistinctTest, ComparesWithTheSecond) {
 
 TEST(KeepDistinctTest, SingleCandidatesPassAndIdenticalOnesDoNot) {
   const std::vector<Nearest> nearest = {{3, 256, 257, -1}, {3, 0, 0, 4}, {}};
-  const auto kept = KeepDistinct(nearest, 0.5);
+  const auto kept = RatioTest(nearest, 0.5);
   EXPECT_EQ(kept[0], nearest[0]);
   EXPECT_EQ(kept[1].index, -1);
   EXPECT_EQ(kept[2].index, -1);
@@ -153,8 +153,8 @@ TEST(KeepDistinctTest, SingleCandidatesPassAndIdenticalOnesDoNot) {
 TEST(KeepMutualTest, BothMustChooseEachOther) {
   const std::vector<Match> matches = {{0, 1, 10}, {1, 1, 20}, {2, 0, 30}};
   const std::vector<Nearest> nearest_of_train = {{5, 9}, {0, 10}};
-  EXPECT_THAT(KeepMutual(matches, nearest_of_train), ElementsAre(Match{0, 1, 10}));
-  EXPECT_THAT([&] { KeepMutual(matches, std::vector<Nearest>(1)); }, ThrowsError("train", "1"));
+  EXPECT_THAT(CrossCheck(matches, nearest_of_train), ElementsAre(Match{0, 1, 10}));
+  EXPECT_THAT([&] { CrossCheck(matches, std::vector<Nearest>(1)); }, ThrowsError("train", "1"));
 }
 
 TEST(KeepUniqueTest, EveryTrainKeypointGoesToItsNearestQuery) {

@@ -136,10 +136,10 @@ TEST(Feature2DTest, HonoursMasks) {
   }
 }
 
-TEST(Feature2DTest, ConvertsColour) {
-  const cv::Mat grey = ShapesImage({320, 240}, 6);
+TEST(Feature2DTest, ConvertsColor) {
+  const cv::Mat gray = ShapesImage({320, 240}, 6);
   cv::Mat bgr, bgra;
-  cv::merge(std::vector<cv::Mat>{grey, NoiseImage(grey.size(), 7), grey}, bgr);
+  cv::merge(std::vector<cv::Mat>{gray, NoiseImage(gray.size(), 7), gray}, bgr);
   cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
   cv::Mat converted;
   cv::cvtColor(bgr, converted, cv::COLOR_BGR2GRAY);
@@ -147,10 +147,10 @@ TEST(Feature2DTest, ConvertsColour) {
   const cv::Mat expected = DetectAndCompute(features, converted).descriptors;
   EXPECT_TRUE(SameBytes(DetectAndCompute(features, bgr).descriptors, expected));
   EXPECT_TRUE(SameBytes(DetectAndCompute(features, bgra).descriptors, expected));
-  EXPECT_FALSE(SameBytes(DetectAndCompute(features, grey).descriptors, expected));
+  EXPECT_FALSE(SameBytes(DetectAndCompute(features, gray).descriptors, expected));
 }
 
-TEST(Feature2DTest, AnEmptyPictureHasNoFeatures) {
+TEST(Feature2DTest, AnEmptyImageHasNoFeatures) {
   const auto features = CreateFeature2D(100);
   Detected detected = DetectAndCompute(features, ShapesImage({200, 150}, 8));
   ASSERT_FALSE(detected.keypoints.empty());
@@ -197,7 +197,7 @@ TEST(ConversionTest, DescriptorsThereAndBack) {
   EXPECT_THAT([] { FromDescriptorMat(cv::Mat(2, 32, CV_32FC1)); }, ThrowsError("type", "CV_8UC1"));
 }
 
-/// Two pictures of a plane and the homography between them.
+/// Two images of a plane and the homography between them.
 struct Pair {
   cv::Mat first, second;
   cv::Matx33d second_from_first;
@@ -240,16 +240,16 @@ TEST(Feature2DTest, TakesThePlaceOfOrbBeforeABruteForceMatcher) {
 
 TEST(Feature2DTest, MatchesAPlaneSeenFromTheSide) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
-  const Pair pair{test::ReadGrey("oxford_affine/graf/img1.ppm"),
-                  test::ReadGrey("oxford_affine/graf/img2.ppm"),
+  const Pair pair{test::ReadGray("oxford_affine/graf/img1.ppm"),
+                  test::ReadGray("oxford_affine/graf/img2.ppm"),
                   test::ReadHomography("oxford_affine/graf/H1to2p")};
   EXPECT_GE(CountCorrectMatches(CreateFeature2D(1000), pair), 250);
 }
 
-TEST(Feature2DTest, StitchesTwoOverlappingPictures) {
-  const cv::Mat grey = ShapesImage({600, 300}, 12);
+TEST(Feature2DTest, StitchesTwoOverlappingImages) {
+  const cv::Mat gray = ShapesImage({600, 300}, 12);
   cv::Mat whole;
-  cv::applyColorMap(grey, whole, cv::COLORMAP_PARULA);
+  cv::applyColorMap(gray, whole, cv::COLORMAP_PARULA);
   const std::vector<cv::Mat> halves = {whole(cv::Rect(0, 0, 380, 300)),
                                        whole(cv::Rect(220, 0, 380, 300))};
   const auto stitcher = cv::Stitcher::create(cv::Stitcher::SCANS);

@@ -8,7 +8,7 @@ namespace corvo::orb {
 namespace {
 
 /// A smooth pattern with texture in every direction.
-double Grey(double x, double y) {
+double Gray(double x, double y) {
   return 128 + 40 * std::sin(0.9 * x + 0.4) * std::cos(0.7 * y) + 30 * std::sin(0.5 * (x + y)) +
          20 * std::cos(0.8 * y - 0.3 * x);
 }
@@ -19,9 +19,9 @@ Patch MakePatch(double x, double y, const PatchWarp& warp = {}, double gain = 1,
   Patch patch;
   for (int v = -Patch::kRadius; v <= Patch::kRadius; ++v) {
     for (int u = -Patch::kRadius; u <= Patch::kRadius; ++u) {
-      const double grey = gain * Grey(x + warp.a * u + warp.b * v, y + warp.c * u + warp.d * v);
+      const double gray = gain * Gray(x + warp.a * u + warp.b * v, y + warp.c * u + warp.d * v);
       patch.pixels[(v + Patch::kRadius) * Patch::kSide + u + Patch::kRadius] =
-          static_cast<std::uint8_t>(std::lround(grey + offset));
+          static_cast<std::uint8_t>(std::lround(gray + offset));
     }
   }
   return patch;

@@ -37,15 +37,15 @@ TEST(ResizeTest, HalfSizeAveragesFourPixels) {
 }
 
 TEST(ResizeTest, ConstantStaysConstant) {
-  for (const int grey : {0, 1, 128, 255}) {
+  for (const int gray : {0, 1, 128, 255}) {
     for (const auto& [from, to] : kResizes) {
-      const cv::Mat image(from, CV_8UC1, cv::Scalar(grey));
-      EXPECT_TRUE(SameImage(Resize(image, to), cv::Mat(to, CV_8UC1, cv::Scalar(grey))));
+      const cv::Mat image(from, CV_8UC1, cv::Scalar(gray));
+      EXPECT_TRUE(SameImage(Resize(image, to), cv::Mat(to, CV_8UC1, cv::Scalar(gray))));
     }
   }
 }
 
-TEST(ResizeTest, RampIsSampledAtPixelCentres) {
+TEST(ResizeTest, RampIsSampledAtPixelCenters) {
   cv::Mat ramp(60, 120, CV_8UC1);
   for (int y = 0; y < ramp.rows; ++y) {
     for (int x = 0; x < ramp.cols; ++x) {

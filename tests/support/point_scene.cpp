@@ -91,7 +91,7 @@ SceneView ObserveScene(const PointScene& scene, const Camera& camera, const SE3&
 Map MakeMap(const PointScene& scene, const std::vector<SceneView>& views,
             const MeasurementModel& model) {
   Map map(model);
-  std::vector<std::vector<Observation>> observations(scene.in_world.size());
+  std::vector<std::vector<TrackElement>> observations(scene.in_world.size());
   for (const SceneView& view : views) {
     const KeyframeId id = map.AddKeyframe(view.frame, 0);
     for (std::size_t k = 0; k < view.points.size(); ++k) {

@@ -22,7 +22,7 @@ MeasurementModel MakeModel(double sigma_px = 1, int num_octaves = 8);
 MeasurementModel MakeModel(const Camera& camera, double sigma_px = 1, int num_octaves = 8);
 
 /// Points in space, each with a descriptor of its own: views of them as an extractor would see
-/// them, without pictures.
+/// them, without images.
 struct PointScene {
   std::vector<Eigen::Vector3d> in_world;
   std::vector<orb::Descriptor> descriptors;

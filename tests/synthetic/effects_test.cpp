@@ -23,14 +23,14 @@ Sequence SmallWall(int frames, const Effects& effects) {
   return MakePlanarWall(options);
 }
 
-bool SamePicture(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0; }
+bool SameImage(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0; }
 
 double MeanGradient(const cv::Mat& image) {
   const cv::Mat left = image.colRange(0, image.cols - 1), right = image.colRange(1, image.cols);
   return cv::norm(left, right, cv::NORM_L1) / static_cast<double>(left.total());
 }
 
-cv::Mat Grey(int value) { return cv::Mat(95, 127, CV_8UC1, cv::Scalar(value)); }
+cv::Mat Gray(int value) { return cv::Mat(95, 127, CV_8UC1, cv::Scalar(value)); }
 
 TEST(TimeSpanTest, HoldsItsStartButNotItsEnd) {
   const TimeSpan span{2, 1.5};
@@ -42,19 +42,19 @@ TEST(TimeSpanTest, HoldsItsStartButNotItsEnd) {
 }
 
 TEST(ApplyLightTest, NothingIsDoneWithoutEffects) {
-  cv::Mat image = Grey(200);
+  cv::Mat image = Gray(200);
   ApplyLight(&image, {}, 1);
-  EXPECT_TRUE(SamePicture(image, Grey(200)));
+  EXPECT_TRUE(SameImage(image, Gray(200)));
 }
 
 TEST(ApplyLightTest, TheDarkIsAlmostBlack) {
   Effects effects;
   effects.dark = {1, 2};
-  cv::Mat image = Grey(200);
+  cv::Mat image = Gray(200);
   ApplyLight(&image, effects, 2);
-  EXPECT_TRUE(SamePicture(image, Grey(4)));
+  EXPECT_TRUE(SameImage(image, Gray(4)));
   ApplyLight(&image, effects, 3);
-  EXPECT_TRUE(SamePicture(image, Grey(4)));
+  EXPECT_TRUE(SameImage(image, Gray(4)));
 }
 
 TEST(ApplyLightTest, ExposureSwingsByTheStopsGiven) {
@@ -63,18 +63,18 @@ TEST(ApplyLightTest, ExposureSwingsByTheStopsGiven) {
   EXPECT_DOUBLE_EQ(Brightness(effects, 0), 1);
   EXPECT_DOUBLE_EQ(Brightness(effects, 2), std::exp2(1.5));
   EXPECT_DOUBLE_EQ(Brightness(effects, 6), std::exp2(-1.5));
-  cv::Mat image = Grey(40), bright = Grey(100);
+  cv::Mat image = Gray(40), bright = Gray(100);
   effects.exposure_drift = 2;
   ApplyLight(&image, effects, 2);
   ApplyLight(&bright, effects, 2);
-  EXPECT_TRUE(SamePicture(image, Grey(160)));
-  EXPECT_TRUE(SamePicture(bright, Grey(255))) << "saturated";
+  EXPECT_TRUE(SameImage(image, Gray(160)));
+  EXPECT_TRUE(SameImage(bright, Gray(255))) << "saturated";
 }
 
 TEST(ApplyLightTest, VignettingTakesItsShareFromTheCorners) {
   Effects effects;
   effects.vignetting = 0.6;
-  cv::Mat image = Grey(200);
+  cv::Mat image = Gray(200);
   ApplyLight(&image, effects, 0);
   EXPECT_EQ(image.at<std::uint8_t>(47, 63), 200);
   for (const cv::Point& corner :
@@ -93,7 +93,7 @@ TEST(SequenceEffectsTest, OnlyTheDarkFramesAreDark) {
     if (i == 2 || i == 3) {
       EXPECT_LE(brightest, 5);
     } else {
-      EXPECT_TRUE(SamePicture(sequence.Render(i), clean.Render(i))) << i;
+      EXPECT_TRUE(SameImage(sequence.Render(i), clean.Render(i))) << i;
     }
     EXPECT_EQ(sequence.poses()[i].world_from_camera, clean.poses()[i].world_from_camera);
   }
@@ -103,8 +103,8 @@ TEST(SequenceEffectsTest, BlurIsTheMeanOverTheFramesTime) {
   Effects effects;
   effects.blur = {0.3, 0.1};  // Frames 9 to 11.
   const Sequence sequence = SmallWall(20, effects), clean = SmallWall(20, {});
-  EXPECT_TRUE(SamePicture(sequence.Render(8), clean.Render(8)));
-  EXPECT_TRUE(SamePicture(sequence.Render(12), clean.Render(12)));
+  EXPECT_TRUE(SameImage(sequence.Render(8), clean.Render(8)));
+  EXPECT_TRUE(SameImage(sequence.Render(12), clean.Render(12)));
   const cv::Mat blurred = sequence.Render(10), sharp = clean.Render(10);
   EXPECT_LT(MeanGradient(blurred), 0.9 * MeanGradient(sharp));
   EXPECT_LT(cv::norm(blurred, sharp, cv::NORM_L1),
@@ -115,7 +115,7 @@ TEST(SequenceEffectsTest, BlurIsTheMeanOverTheFramesTime) {
 TEST(SequenceEffectsTest, NothingBlursWhereNothingMoves) {
   Effects effects;
   effects.blur = {0, 1};
-  EXPECT_TRUE(SamePicture(SmallWall(1, effects).Render(0), SmallWall(1, {}).Render(0)));
+  EXPECT_TRUE(SameImage(SmallWall(1, effects).Render(0), SmallWall(1, {}).Render(0)));
 }
 
 /// Pixels of the boards, by their depth.

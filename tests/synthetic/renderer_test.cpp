@@ -32,14 +32,14 @@ CameraParameters Parameters(bool distorted) {
   return parameters;
 }
 
-/// A square of one grey about `centre` that faces the camera of an identity pose.
-Quad FacingQuad(const Vector3d& centre, double side, int grey, Scene* scene) {
+/// A square of one gray about `center` that faces the camera of an identity pose.
+Quad FacingQuad(const Vector3d& center, double side, int gray, Scene* scene) {
   Quad quad;
   quad.right = Vector3d::UnitX();
   quad.down = Vector3d::UnitY();
   quad.width = quad.height = side;
-  quad.corner = centre - Vector3d(side / 2, side / 2, 0);
-  quad.texture = scene->AddTexture(Canvas(2, static_cast<std::uint8_t>(grey)));
+  quad.corner = center - Vector3d(side / 2, side / 2, 0);
+  quad.texture = scene->AddTexture(Canvas(2, static_cast<std::uint8_t>(gray)));
   return quad;
 }
 

@@ -86,9 +86,9 @@ double Repeatability(const Sequence& sequence, int frame) {
 double Interpolate(const cv::Mat& image, const Vector2d& place) {
   const int x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
   const double a = place.x() - x, b = place.y() - y;
-  const auto grey = [&](int i, int j) -> double { return image.at<std::uint8_t>(y + j, x + i); };
-  return (1 - b) * ((1 - a) * grey(0, 0) + a * grey(1, 0)) +
-         b * ((1 - a) * grey(0, 1) + a * grey(1, 1));
+  const auto gray = [&](int i, int j) -> double { return image.at<std::uint8_t>(y + j, x + i); };
+  return (1 - b) * ((1 - a) * gray(0, 0) + a * gray(1, 0)) +
+         b * ((1 - a) * gray(0, 1) + a * gray(1, 1));
 }
 
 /// Over the pixels of one frame whose surface the other one sees too.
@@ -125,9 +125,9 @@ std::uint64_t HashOf(const cv::Mat& image) {
 struct SceneCase {
   const char* name;
   Sequence (*make)(const SequenceOptions&);
-  int width;                   ///< For the tests, px.
-  std::uint64_t fingerprint;   ///< Of the scene.
-  std::uint64_t picture_hash;  ///< Of frame 7 of eight, `width` wide.
+  int width;                  ///< For the tests, px.
+  std::uint64_t fingerprint;  ///< Of the scene.
+  std::uint64_t image_hash;   ///< Of frame 7 of eight, `width` wide.
 };
 
 void PrintTo(const SceneCase& scene, std::ostream* stream) { *stream << scene.name; }
@@ -139,7 +139,7 @@ class EveryScene : public ::testing::TestWithParam<SceneCase> {};
 TEST_P(EveryScene, IsPinned) {
   const Sequence sequence = GetParam().make(Small(8, GetParam().width));
   EXPECT_EQ(sequence.scene().Fingerprint(), GetParam().fingerprint);
-  EXPECT_EQ(HashOf(sequence.Render(7)), GetParam().picture_hash);
+  EXPECT_EQ(HashOf(sequence.Render(7)), GetParam().image_hash);
 }
 
 TEST_P(EveryScene, IsTheSameForAnyNumberOfThreads) {
@@ -165,7 +165,7 @@ TEST_P(EveryScene, StartsAtTheOriginAndKeepsTime) {
   }
 }
 
-/// The next frame shows the same grey at the place that the truth predicts.
+/// The next frame shows the same gray at the place that the truth predicts.
 TEST_P(EveryScene, IsPhotometricallyConsistent) {
   const Sequence sequence = GetParam().make(Small(4, GetParam().width));
   EXPECT_LT(MedianPhotometricError(sequence, 2, 3), 1.5);
@@ -173,7 +173,7 @@ TEST_P(EveryScene, IsPhotometricallyConsistent) {
 
 class TexturedScene : public EveryScene {};
 
-/// As many corners as real pictures have, as repeatable as theirs: on KITTI 03 and 05, and on
+/// As many corners as real images have, as repeatable as theirs: on KITTI 03 and 05, and on
 /// 7-Scenes, 65% to 82% of the corners that optical flow can follow come back.
 TEST_P(TexturedScene, HasRealisticCorners) {
   const Sequence sequence = GetParam().make(Small(2, GetParam().width));
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
 INSTANTIATE_TEST_SUITE_P(Scenes, TexturedScene, testing::Values(kRoom, kStreet, kWall, kRotation),
                          NameOf);
 
-TEST(Room, IsALoopOfEightMetresAtWalkingPace) {
+TEST(Room, IsALoopOfEightMetersAtWalkingPace) {
   const Sequence room = MakeRoom(Small(301, 64));
   double path = 0;
   for (std::size_t i = 1; i < room.poses().size(); ++i) {
@@ -302,7 +302,7 @@ TEST(PureRotation, NeverMoves) {
 
 class EveryLens : public testing::TestWithParam<CameraModel> {};
 
-/// The picture is the one the camera's own equations say.
+/// The image is the one the camera's own equations say.
 TEST_P(EveryLens, FilmsWhatItsCameraProjects) {
   CameraParameters lens = MakePlanarWall(Small(1, 320)).camera().parameters();
   lens.model = GetParam();
@@ -367,7 +367,7 @@ TEST(SequenceOptions, NameTheFieldOutOfRange) {
   EXPECT_THAT(ErrorOf([&] { MakeRoom(options); }), ::testing::HasSubstr("noise_sigma is nan"));
 }
 
-TEST(TurnTest, TheCameraTurnsAboutItsOwnCentreAndThenGoesOn) {
+TEST(TurnTest, TheCameraTurnsAboutItsOwnCenterAndThenGoesOn) {
   SequenceOptions options = Small(80, 64);
   const PoseSequence plain = MakeRoom(options).poses();
   options.turn = {1, 1};  // Frames 30 to 59.

@@ -14,7 +14,7 @@ TEST(StreetPath, StartsAtTheOriginAlongX) {
   EXPECT_EQ(start.heading, 0);
 }
 
-TEST(StreetPath, IsParameterisedByItsLength) {
+TEST(StreetPath, IsParameterizedByItsLength) {
   const StreetPath path(400);
   for (double distance = 0; distance < 395; distance += 3.7) {
     const Eigen::Vector2d step = path.At(distance + 0.5).position - path.At(distance).position;

@@ -20,7 +20,7 @@ Canvas RandomCanvas(int side) {
   return canvas;
 }
 
-TEST(Texture, IsExactAtTheCentresOfTexels) {
+TEST(Texture, IsExactAtTheCentersOfTexels) {
   const Canvas canvas = RandomCanvas(16);
   const Texture texture(canvas);
   for (int y = 0; y < 16; ++y) {
@@ -30,7 +30,7 @@ TEST(Texture, IsExactAtTheCentresOfTexels) {
   }
 }
 
-TEST(Texture, InterpolatesBetweenCentres) {
+TEST(Texture, InterpolatesBetweenCenters) {
   const Canvas canvas = RandomCanvas(16);
   const Texture texture(canvas);
   const float expected = 0.75f * canvas.At(4, 7) + 0.25f * canvas.At(5, 7);

@@ -34,12 +34,12 @@ Sequence ShortWall(int frames = 3) {
   return MakePlanarWall(options);
 }
 
-void ExpectSamePictures(const ImageList& list, const Sequence& sequence) {
+void ExpectSameImages(const ImageList& list, const Sequence& sequence) {
   ASSERT_EQ(list.images.size(), static_cast<std::size_t>(sequence.size()));
   for (int i = 0; i < sequence.size(); ++i) {
     const TimedFile& file = list.images[static_cast<std::size_t>(i)];
     EXPECT_EQ(file.time_ns, sequence.poses()[static_cast<std::size_t>(i)].time_ns);
-    EXPECT_EQ(cv::norm(ReadGreyImage(file.file), sequence.Render(i), cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(ReadGrayImage(file.file), sequence.Render(i), cv::NORM_INF), 0);
   }
 }
 
@@ -49,7 +49,7 @@ TEST(WriteSequence, TumLayoutIsReadBack) {
   WriteSequence(sequence, folder / "new", Layout::kTum);
   const ImageList list = ListImages(folder / "new", 1);
   EXPECT_EQ(list.layout, "tum");
-  ExpectSamePictures(list, sequence);
+  ExpectSameImages(list, sequence);
 }
 
 TEST(WriteSequence, KittiLayoutIsReadBack) {
@@ -58,7 +58,7 @@ TEST(WriteSequence, KittiLayoutIsReadBack) {
   WriteSequence(sequence, folder.path(), Layout::kKitti);
   const ImageList list = ListImages(folder / "sequences/00", 1);
   EXPECT_EQ(list.layout, "kitti");
-  ExpectSamePictures(list, sequence);
+  ExpectSameImages(list, sequence);
   EXPECT_EQ(list.camera, sequence.camera().parameters());
 }
 
@@ -75,7 +75,7 @@ TEST(WriteSequence, EurocLayoutIsReadBack) {
     WriteSequence(sequence, folder.path(), Layout::kEuroc);
     const ImageList list = ListImages(folder / "mav0", 1);
     EXPECT_EQ(list.layout, "euroc");
-    ExpectSamePictures(list, sequence);
+    ExpectSameImages(list, sequence);
     EXPECT_EQ(list.camera, sequence.camera().parameters());
   }
 }

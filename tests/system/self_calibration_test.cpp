@@ -29,7 +29,7 @@ Odometry RunOn(const Sequence& sequence, const CameraPrior& prior) {
   return odometry;
 }
 
-SequenceOptions Film(int frames, std::uint64_t noise_seed) {
+SequenceOptions MakeOptions(int frames, std::uint64_t noise_seed) {
   SequenceOptions options;
   options.frames = frames;
   options.width = 640;
@@ -42,12 +42,12 @@ TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheSigmasThatAreClaimed
   if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the camera is known";
   test::Random random(3);
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Sequence room = MakeRoom(Film(150, seed));
+    const Sequence room = MakeRoom(MakeOptions(150, seed));
     const CameraPrior truth{room.camera().parameters(), kFree};
     Eigen::VectorXd draw(3);
     for (int i = 0; i < 3; ++i) draw[i] = random.Gaussian(kFree[i].sigma);
     const Odometry odometry = RunOn(room, {truth.Apply(-draw), kFree});
-    EXPECT_FALSE(odometry.contradicts_given_camera()) << seed;
+    EXPECT_FALSE(odometry.prior_rejected()) << seed;
     const CameraEstimate& estimate = odometry.camera_estimate();
     for (int i = 0; i < 3; ++i) {
       const double sigma = std::sqrt(estimate.covariance(i, i));
@@ -59,7 +59,7 @@ TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheSigmasThatAreClaimed
 }
 
 TEST(SelfCalibrationTest, ACameraThatOnlyTurnsStaysAsItWasGiven) {
-  const Sequence rotation = MakePureRotation(Film(test::IsShortRun() ? 12 : 60, 1));
+  const Sequence rotation = MakePureRotation(MakeOptions(test::IsShortRun() ? 12 : 60, 1));
   const CameraPrior prior{rotation.camera().parameters(), kFree};
   const Odometry odometry = RunOn(rotation, prior);
   for (int i = 0; i < 3; ++i) {

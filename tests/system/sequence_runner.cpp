@@ -8,29 +8,29 @@ namespace corvo::test {
 
 namespace {
 
-void ProcessAll(const PictureSource& source, int num_frames, Odometry& odometry) {
+void ProcessAll(const ImageSource& source, int num_frames, Odometry& odometry) {
   for (int i = 0; i < num_frames; ++i) {
-    const TimedPicture picture = source(i);
-    odometry.Process(picture.image, picture.time_ns);
+    const TimedImage image = source(i);
+    odometry.Process(image.image, image.time_ns);
   }
 }
 
 }  // namespace
 
-Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera) {
+Trajectory RunOdometry(const ImageSource& source, int num_frames, const Camera& camera) {
   Odometry odometry(camera, OdometryOptions(), 2);
   ProcessAll(source, num_frames, odometry);
   return odometry.Finish();
 }
 
-Refinement RunAndRefine(const PictureSource& source, int num_frames, const Camera& camera) {
+Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera& camera) {
   Odometry odometry(camera, OdometryOptions(), 2);
-  std::vector<FrameSightings> told;
-  odometry.SetSightingsSink([&](const FrameSightings& seen) { told.push_back(seen); });
+  std::vector<FrameObservations> told;
+  odometry.SetObservationCallback([&](const FrameObservations& seen) { told.push_back(seen); });
   ProcessAll(source, num_frames, odometry);
   odometry.Finish();
-  return Refine(odometry, [&](const SightingsSink& visit) {
-    for (const FrameSightings& seen : told) visit(seen);
+  return Refine(odometry, [&](const ObservationCallback& visit) {
+    for (const FrameObservations& seen : told) visit(seen);
   });
 }
 

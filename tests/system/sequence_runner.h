@@ -11,18 +11,18 @@
 
 namespace corvo::test {
 
-/// Picture and time of frame i.
-struct TimedPicture {
+/// Image and time of frame i.
+struct TimedImage {
   cv::Mat image;
   TimeNs time_ns = 0;
 };
-using PictureSource = std::function<TimedPicture(int)>;
+using ImageSource = std::function<TimedImage(int)>;
 
 /// Runs Odometry with default options over frames 0 to num_frames - 1 and finishes it.
-Trajectory RunOdometry(const PictureSource& source, int num_frames, const Camera& camera);
+Trajectory RunOdometry(const ImageSource& source, int num_frames, const Camera& camera);
 
 /// The same, refined after the last frame.
-Refinement RunAndRefine(const PictureSource& source, int num_frames, const Camera& camera);
+Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera& camera);
 
 /// Position errors after one Sim3 for the whole sequence.
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth);

@@ -12,7 +12,7 @@ namespace {
 using synthetic::Sequence;
 using synthetic::SequenceOptions;
 
-SequenceOptions Film(int frames, int width, double noise_sigma) {
+SequenceOptions MakeOptions(int frames, int width, double noise_sigma) {
   SequenceOptions options;
   options.frames = test::IsShortRun() ? std::min(frames, 12) : frames;
   options.width = width;
@@ -22,7 +22,7 @@ SequenceOptions Film(int frames, int width, double noise_sigma) {
 
 Trajectory RunOn(const Sequence& sequence) {
   const auto source = [&](int i) {
-    return test::TimedPicture{sequence.Render(i), sequence.poses()[i].time_ns};
+    return test::TimedImage{sequence.Render(i), sequence.poses()[i].time_ns};
   };
   return test::RunOdometry(source, sequence.size(), sequence.camera());
 }
@@ -39,12 +39,14 @@ void ExpectAccurate(const Sequence& sequence, double max_ate_percent, double min
   EXPECT_LE(ate_percent, max_ate_percent);
 }
 
-TEST(SyntheticSequenceTest, Room) { ExpectAccurate(MakeRoom(Film(150, 640, 3)), 0.4, 0.95); }
+TEST(SyntheticSequenceTest, Room) { ExpectAccurate(MakeRoom(MakeOptions(150, 640, 3)), 0.4, 0.95); }
 
-TEST(SyntheticSequenceTest, Street) { ExpectAccurate(MakeStreet(Film(100, 930, 3)), 1.0, 0.95); }
+TEST(SyntheticSequenceTest, Street) {
+  ExpectAccurate(MakeStreet(MakeOptions(100, 930, 3)), 1.0, 0.95);
+}
 
 TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
-  SequenceOptions options = Film(40, 0, 3);
+  SequenceOptions options = MakeOptions(40, 0, 3);
   CameraParameters fisheye;  // As TUM-VI's lens, which sees 80 degrees off its axis and beyond.
   fisheye.model = CameraModel::kKb4;
   fisheye.width = fisheye.height = 480;
@@ -60,7 +62,7 @@ TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
 
 /// A walk that is dark from 2 s on.
 Sequence MakeDarkRoom(double dark_s, std::uint64_t noise_seed) {
-  SequenceOptions options = Film(180, 640, 3);
+  SequenceOptions options = MakeOptions(180, 640, 3);
   options.effects.dark = {2, dark_s};
   options.noise_seed = noise_seed;
   return MakeRoom(options);
@@ -98,7 +100,7 @@ TEST(SyntheticSequenceTest, AShortDarkIsRecoveredFromInTheSameSegment) {
 }
 
 TEST(SyntheticSequenceTest, PureRotationIsTrackedAndInventsNoTranslation) {
-  const Sequence sequence = MakePureRotation(Film(60, 640, 3));
+  const Sequence sequence = MakePureRotation(MakeOptions(60, 640, 3));
   const Trajectory trajectory = RunOn(sequence);
   EXPECT_EQ(trajectory.PosedShare(), 0);
   if (test::IsShortRun()) return;
@@ -115,7 +117,7 @@ TEST(SyntheticSequenceTest, PureRotationIsTrackedAndInventsNoTranslation) {
 }
 
 TEST(SyntheticSequenceTest, PlanarWall) {
-  ExpectAccurate(MakePlanarWall(Film(60, 640, 3)), 1.0, 0.95);
+  ExpectAccurate(MakePlanarWall(MakeOptions(60, 640, 3)), 1.0, 0.95);
 }
 
 }  // namespace

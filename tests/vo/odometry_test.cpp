@@ -21,10 +21,10 @@ constexpr TimeNs kFrameTime = 100'000'000;
 using test::MakeDrive;
 using test::TwoWalls;
 
-Trajectory RunDrive(const std::vector<cv::Mat>& pictures, int threads) {
+Trajectory RunDrive(const std::vector<cv::Mat>& images, int threads) {
   Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
   TimeNs time_ns = 0;
-  for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
+  for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
   return odometry.Finish();
 }
 
@@ -74,26 +74,26 @@ TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
 }
 
 TEST(OdometryTest, AfterAResetItGivesWhatANewOneGives) {
-  const std::vector<cv::Mat> pictures = MakeDrive(6, 1);
+  const std::vector<cv::Mat> images = MakeDrive(6, 1);
   Odometry odometry(test::PinholeCamera());
-  for (int i = 0; i < 4; ++i) odometry.Process(pictures[5 - i], (i + 1) * kFrameTime);
+  for (int i = 0; i < 4; ++i) odometry.Process(images[5 - i], (i + 1) * kFrameTime);
   odometry.Reset();
   EXPECT_EQ(odometry.map().num_keyframes(), 0);
   TimeNs time_ns = 0;
-  for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
-  ExpectIdentical(odometry.Finish(), RunDrive(pictures, 1));
+  for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
+  ExpectIdentical(odometry.Finish(), RunDrive(images, 1));
 }
 
 TEST(OdometryTest, TracksOfTheLastFrameNameLivingLandmarks) {
-  const std::vector<cv::Mat> pictures = MakeDrive(8, 1);
+  const std::vector<cv::Mat> images = MakeDrive(8, 1);
   Odometry odometry(test::PinholeCamera());
   EXPECT_EQ(odometry.last_frame().num_keypoints(), 0);
   for (int i = 0; i < 8; ++i) {
-    const FrameResult result = odometry.Process(pictures[i], (i + 1) * kFrameTime);
+    const FrameResult result = odometry.Process(images[i], (i + 1) * kFrameTime);
     const Frame& frame = odometry.last_frame();
     EXPECT_EQ(frame.index, i);
     EXPECT_EQ(frame.num_keypoints(), result.num_features);
-    EXPECT_EQ(CountSeenLandmarks(frame) > 0, result.world_from_camera.has_value());
+    EXPECT_EQ(CountObservedLandmarks(frame) > 0, result.world_from_camera.has_value());
     for (const LandmarkId id : frame.landmarks) {
       if (id != kNoId) {
         ASSERT_NE(odometry.map().FindLandmark(id), nullptr);
@@ -103,13 +103,13 @@ TEST(OdometryTest, TracksOfTheLastFrameNameLivingLandmarks) {
 }
 
 TEST(OdometryTest, StandingStillHasNoPose) {
-  const cv::Mat picture = TwoWalls(5).Render(0);
-  const Trajectory trajectory = RunDrive(std::vector<cv::Mat>(10, picture), 1);
+  const cv::Mat image = TwoWalls(5).Render(0);
+  const Trajectory trajectory = RunDrive(std::vector<cv::Mat>(10, image), 1);
   EXPECT_EQ(trajectory.PosedShare(), 0);
   EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
 }
 
-TEST(OdometryTest, ABlankPictureIsSaidAndTrackingGoesOnAfterIt) {
+TEST(OdometryTest, ABlankImageIsSaidAndTrackingGoesOnAfterIt) {
   std::vector<cv::Mat> drive = MakeDrive(20, 6);
   drive[12] = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));
   const Trajectory trajectory = RunDrive(drive, 1);
@@ -124,7 +124,7 @@ TEST(OdometryTest, ABlankPictureIsSaidAndTrackingGoesOnAfterIt) {
 
 TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
   std::vector<cv::Mat> drive = MakeDrive(15, 7);
-  for (const cv::Mat& picture : MakeDrive(15, 20)) drive.push_back(picture);
+  for (const cv::Mat& image : MakeDrive(15, 20)) drive.push_back(image);
   const Trajectory trajectory = RunDrive(drive, 1);
   for (int i = 1; i < 30; ++i) EXPECT_EQ(trajectory.frames[i].segment, i < 15 ? 0 : 1) << i;
   ASSERT_GE(trajectory.PosedShare(), 0.9);
@@ -141,7 +141,7 @@ TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
 
 TEST(OdometryTest, ANewSegmentGetsKeyframesAsTheFirstDoes) {
   std::vector<cv::Mat> drive = MakeDrive(25, 7);
-  for (const cv::Mat& picture : MakeDrive(25, 20)) drive.push_back(picture);
+  for (const cv::Mat& image : MakeDrive(25, 20)) drive.push_back(image);
   Odometry odometry(test::PinholeCamera());
   for (std::size_t i = 0; i < drive.size(); ++i) {
     odometry.Process(drive[i], static_cast<TimeNs>(i + 1) * kFrameTime);
@@ -171,7 +171,7 @@ TEST(OdometryTest, WhereverItIsSetDownAgainItIsFoundInTheSameSegment) {
 
 TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
   std::vector<cv::Mat> drive = MakeDrive(12, 7);
-  for (const cv::Mat& picture : MakeDrive(12, 20)) drive.push_back(picture);
+  for (const cv::Mat& image : MakeDrive(12, 20)) drive.push_back(image);
   for (const double max_lost_s : {0.0, 0.5, 10.0}) {
     OdometryOptions options;
     options.relocalizer.max_lost_s = max_lost_s;
@@ -198,8 +198,9 @@ TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
   options.relocalizer.max_keyframes = 16;
   Odometry newest(test::LongDriveCamera(), options);
   std::set<LandmarkId> finished;
-  newest.SetLandmarkSink(
-      [&](const FinishedLandmark& landmark) { EXPECT_TRUE(finished.insert(landmark.id).second); });
+  newest.SetLandmarkCallback([&](const MarginalizedLandmark& landmark) {
+    EXPECT_TRUE(finished.insert(landmark.id).second);
+  });
   std::size_t half_way_bytes = 0;
   for (int i = 0; i < kFrames; ++i) {
     everything.Process(drive[i], (i + 1) * kFrameTime);

@@ -10,7 +10,7 @@
 
 namespace corvo::test {
 
-/// Smooth seeded noise with corners: a picture that ORB likes.
+/// Smooth seeded noise with corners: an image that ORB likes.
 inline cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
   Random random(seed);
   cv::Mat texture(height / 8, width / 8, CV_8UC1);
@@ -23,19 +23,19 @@ inline cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
   return texture;
 }
 
-/// Two parallel textured walls, the nearer over the picture's middle, seen from x.
+/// Two parallel textured walls, the nearer over the image's middle, seen from x.
 class TwoWalls {
  public:
   explicit TwoWalls(std::uint64_t seed, int width = 1600)
       : near_(MakeTexture(width, 240, seed)), far_(MakeTexture(width, 480, seed + 1)) {}
 
   cv::Mat Render(double x) const {
-    cv::Mat picture;
-    cv::getRectSubPix(far_, {640, 480}, cv::Point2d(500 + 500 * x / 8, 239.5), picture);
+    cv::Mat image;
+    cv::getRectSubPix(far_, {640, 480}, cv::Point2d(500 + 500 * x / 8, 239.5), image);
     cv::Mat near;
     cv::getRectSubPix(near_, {640, 240}, cv::Point2d(500 + 500 * x / 4, 119.5), near);
-    near.copyTo(picture.rowRange(120, 360));
-    return picture;
+    near.copyTo(image.rowRange(120, 360));
+    return image;
   }
 
  private:
@@ -45,21 +45,21 @@ class TwoWalls {
 /// A steady drive of `num_frames` along two walls.
 inline std::vector<cv::Mat> MakeDrive(int num_frames, std::uint64_t seed) {
   const TwoWalls walls(seed);
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < num_frames; ++i) pictures.push_back(walls.Render(0.1 * i));
-  return pictures;
+  std::vector<cv::Mat> images;
+  for (int i = 0; i < num_frames; ++i) images.push_back(walls.Render(0.1 * i));
+  return images;
 }
 
 /// A drive past one wall after another, 0.1 a frame.
 inline std::vector<cv::Mat> MakeLongDrive(int num_frames) {
   const TwoWalls walls(11, 1600 + 13 * num_frames);
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   for (int i = 0; i < num_frames; ++i) {
-    cv::Mat picture;
-    cv::resize(walls.Render(0.1 * i), picture, {320, 240}, 0, 0, cv::INTER_AREA);
-    pictures.push_back(picture);
+    cv::Mat image;
+    cv::resize(walls.Render(0.1 * i), image, {320, 240}, 0, 0, cv::INTER_AREA);
+    images.push_back(image);
   }
-  return pictures;
+  return images;
 }
 
 inline Camera LongDriveCamera() { return PinholeCamera().Resized(320, 240); }

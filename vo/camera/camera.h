@@ -7,7 +7,7 @@
 
 namespace corvo {
 
-/// A camera, x right, y down, z forward; integer pixel coordinates are pixel centres. The model
+/// A camera, x right, y down, z forward; integer pixel coordinates are pixel centers. The model
 /// takes (x/z, y/z) to the distorted point (x_d, y_d):
 ///
 ///     u = fx x_d + cx
@@ -22,7 +22,7 @@ class Camera {
   explicit Camera(const CameraParameters& parameters);
 
   /// Pixel of a point. None where z <= 0 or outside max_radius(). The pixel may lie outside the
-  /// picture. `jacobian`, if given, is d pixel / d point.
+  /// image. `jacobian`, if given, is d pixel / d point.
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& point_in_camera,
                                          Jacobian* jacobian = nullptr) const;
 
@@ -30,7 +30,7 @@ class Camera {
   /// meets the pixel.
   std::optional<Eigen::Vector2d> Undistort(const Eigen::Vector2d& pixel) const;
 
-  /// The pixel lies in the picture: in [-0.5, width - 0.5) x [-0.5, height - 0.5).
+  /// The pixel lies in the image: in [-0.5, width - 0.5) x [-0.5, height - 0.5).
   bool Contains(const Eigen::Vector2d& pixel) const;
 
   const CameraParameters& parameters() const { return parameters_; }
@@ -49,12 +49,12 @@ class Camera {
   double FocalAt(const Eigen::Vector2d& ray) const;
 
   /// The model holds for |(x/z, y/z)| below this: up to here the distorted radius grows with the
-  /// undistorted one (beyond it rays would meet the picture twice), and kb4 and fov end at
+  /// undistorted one (beyond it rays would meet the image twice), and kb4 and fov end at
   /// kMaxAngle (vo/camera/projection.h) from the axis. Infinity for a pinhole that has no such end.
   double max_radius() const { return max_radius_; }
 
-  /// The camera of the same pictures resized to `width` x `height`: with s = width / width(),
-  /// fx s and (cx + 0.5) s - 0.5, so that the picture's corners stay its corners.
+  /// The camera of the same images resized to `width` x `height`: with s = width / width(),
+  /// fx s and (cx + 0.5) s - 0.5, so that the image's corners stay its corners.
   Camera Resized(int width, int height) const;
 
   bool operator==(const Camera&) const = default;

@@ -14,7 +14,7 @@ std::vector<std::string> DistortionNames(CameraModel model);
 CameraParameters WithoutDistortion(const CameraParameters& camera, CameraModel model);
 
 /// The camera of a model that images as nearly as another one does: least squares of pixels, over a
-/// grid of the picture, in the focal length and the distortion.
+/// grid of the image, in the focal length and the distortion.
 CameraParameters FitCamera(const Camera& camera, CameraModel model);
 
 }  // namespace corvo

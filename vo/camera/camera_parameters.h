@@ -45,12 +45,12 @@ struct CameraParameters {
   /// As Visit, for the parameters of every model.
   template <typename Self, typename Visitor>
   static void VisitAll(Self& self, Visitor&& field) {
-    field("width", self.width, 1, 100000, "picture width, px");
-    field("height", self.height, 1, 100000, "picture height, px");
+    field("width", self.width, 1, 100000, "image width, px");
+    field("height", self.height, 1, 100000, "image height, px");
     field("fx", self.fx, 1e-3, 1e6, "focal length along x, px");
     field("fy", self.fy, 1e-3, 1e6, "focal length along y, px");
-    field("cx", self.cx, -1e6, 1e6, "principal point, px; integers are pixel centres");
-    field("cy", self.cy, -1e6, 1e6, "principal point, px; integers are pixel centres");
+    field("cx", self.cx, -1e6, 1e6, "principal point, px; integers are pixel centers");
+    field("cy", self.cy, -1e6, 1e6, "principal point, px; integers are pixel centers");
     field("k1", self.k1, -1e3, 1e3, "radial distortion, factor of r^2; kb4: of theta^2");
     field("k2", self.k2, -1e3, 1e3, "radial distortion, factor of r^4; kb4: of theta^4");
     field("p1", self.p1, -1e3, 1e3, "tangential distortion, as OpenCV's");

@@ -94,14 +94,14 @@ double CameraPrior::SquaredError(const Eigen::VectorXd& difference) const {
   return sum;
 }
 
-bool CameraPrior::Allows(const Eigen::VectorXd& difference) const {
+bool CameraPrior::PassesChiSquareTest(const Eigen::VectorXd& difference) const {
   const auto num_known =
       std::count_if(free.begin(), free.end(),
                     [](const FreeParameter& parameter) { return std::isfinite(parameter.sigma); });
   return SquaredError(difference) <= kChiSquare999[num_known];
 }
 
-CameraPrior CameraPrior::Beside(double information) const {
+CameraPrior CameraPrior::Inflated(double information) const {
   CameraPrior loosened = *this;
   for (FreeParameter& parameter : loosened.free) parameter.sigma *= std::sqrt(information);
   return loosened;
@@ -137,7 +137,7 @@ std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
   return free;
 }
 
-double ShareFromPictures(const FreeParameter& parameter, double sigma) {
+double InformationGain(const FreeParameter& parameter, double sigma) {
   return 1 - std::pow(sigma / parameter.sigma, 2);
 }
 

@@ -50,12 +50,12 @@ struct CameraPrior {
   /// Whether a difference is one that the sigmas allow: its χ² lies under the 99.9% quantile. If
   /// not, the camera is not the one that was given, and what is left over of the error has been
   /// pressed into parameters that cannot express it.
-  bool Allows(const Eigen::VectorXd& difference) const;
+  bool PassesChiSquareTest(const Eigen::VectorXd& difference) const;
 
-  /// What the prior is worth beside pictures whose information counts `information` times.
-  CameraPrior Beside(double information) const;
+  /// What the prior is worth beside images whose information counts `information` times.
+  CameraPrior Inflated(double information) const;
 
-  /// The prior of the same pictures resized, see Camera::Resized.
+  /// The prior of the same images resized, see Camera::Resized.
   CameraPrior Resized(int width, int height) const;
 
   bool operator==(const CameraPrior&) const = default;
@@ -72,16 +72,16 @@ struct CameraEstimate {
   Eigen::MatrixXd covariance;
 };
 
-/// What is known before the first picture.
+/// What is known before the first image.
 CameraEstimate PriorEstimate(const CameraPrior& prior);
 
 /// The free parameters, known as the covariance of their difference says.
 std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
                                      const Eigen::MatrixXd& covariance);
 
-/// What of the information about a parameter came from the pictures, 0 to 1: the rest was known
+/// What of the information about a parameter came from the images, 0 to 1: the rest was known
 /// before. `sigma` is what is known with them.
-double ShareFromPictures(const FreeParameter& parameter, double sigma);
+double InformationGain(const FreeParameter& parameter, double sigma);
 
 /// A parameter that the camera's model has; of "focal" it is fx.
 double ValueOf(const CameraParameters& camera, const std::string& name);

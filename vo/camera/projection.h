@@ -8,7 +8,7 @@
 namespace corvo {
 
 /// What the projections of all camera models share. Each takes an undistorted point
-/// (a, b) = (x/z, y/z) to a distorted one, in which the picture is fx, fy, cx, cy away; r, the
+/// (a, b) = (x/z, y/z) to a distorted one, in which the image is fx, fy, cx, cy away; r, the
 /// distance from the axis, is tan(theta) for the angle theta between ray and axis.
 
 /// A wide lens is used up to this angle from its axis, radians (80 degrees): rays are kept as

@@ -15,7 +15,7 @@ namespace corvo::radtan {
 
 Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
 
-/// Up to here r c(r) grows with r, beyond it rays would meet the picture twice. Infinity if it
+/// Up to here r c(r) grows with r, beyond it rays would meet the image twice. Infinity if it
 /// always grows.
 double MaxRadius(const CameraParameters& parameters);
 

@@ -8,7 +8,7 @@
 ///
 ///     x_in_world = world_from_camera * x_in_camera
 ///
-/// Camera axes: x right, y down, z forward. Integer pixel coordinates are pixel centres.
+/// Camera axes: x right, y down, z forward. Integer pixel coordinates are pixel centers.
 /// Time is integer nanoseconds. Units other than SI stand in names (`_px`, `_deg`, `_ms`).
 /// The scale of a monocular trajectory is arbitrary: every pose belongs to a segment, and poses
 /// compare only within one.

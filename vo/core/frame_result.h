@@ -21,14 +21,14 @@ enum class State : std::uint8_t {
 /// Why a frame is not posed (or what happened to one that is).
 enum class Reason : std::uint8_t {
   kNone,              ///< Posed.
-  kReferenceFrame,    ///< Initialising: this frame is the new reference.
+  kReferenceFrame,    ///< Initializing: this frame is the new reference.
   kTooFewFeatures,    ///< Too few keypoints: dark, blurred or blank.
   kTooFewMatches,     ///< Too few keypoints match the reference or the map.
-  kLowParallax,       ///< Initialising: standing still, or not moved enough yet.
-  kRotationOnly,      ///< Initialising: the camera turned but did not move.
-  kPlanar,            ///< Initialising: a homography explains the matches; motion is ambiguous.
-  kAmbiguousMotion,   ///< Initialising: no motion explains the matches clearly best.
-  kBadTriangulation,  ///< Initialising: too few points lie in front, with parallax and low error.
+  kLowParallax,       ///< Initializing: standing still, or not moved enough yet.
+  kRotationOnly,      ///< Initializing: the camera turned but did not move.
+  kPlanar,            ///< Initializing: a homography explains the matches; motion is ambiguous.
+  kAmbiguousMotion,   ///< Initializing: no motion explains the matches clearly best.
+  kBadTriangulation,  ///< Initializing: too few points lie in front, with parallax and low error.
   kTooFewInliers,     ///< Tracking: too few landmarks agree with a pose.
 };
 
@@ -44,15 +44,15 @@ struct FrameOutcome {
   bool is_keyframe = false;
   int segment = kNoId;  ///< Poses compare only within one segment. kNoId before the first.
   int num_features = 0;
-  int num_matches = 0;  ///< With the reference frame (initialising) or with landmarks (tracking).
+  int num_matches = 0;  ///< With the reference frame (initializing) or with landmarks (tracking).
   int num_inliers = 0;  ///< Of num_matches, those that agree with the motion or pose.
-  double parallax_deg = 0;  ///< While initialising: median over the matches, rotation removed.
+  double parallax_deg = 0;  ///< While initializing: median over the matches, rotation removed.
 };
 
 /// What happened to one input frame. A value.
 struct FrameResult : FrameOutcome {
   /// Set if and only if the frame is posed: located from enough inlier landmarks, while tracking
-  /// or afterwards by pose optimisation. Never held, predicted or interpolated.
+  /// or afterwards by pose optimization. Never held, predicted or interpolated.
   std::optional<SE3> world_from_camera;
   /// Set if the frame is posed, and in State::kRotationOnly. Keeps its meaning from one segment to
   /// the next only where it was tracked all the way.

@@ -16,7 +16,7 @@ namespace corvo {
 namespace {
 
 constexpr double kDegreesPerRadian = 180 / 3.14159265358979323846;
-constexpr double kMetresPerKilometre = 1000;
+constexpr double kMetersPerKilometer = 1000;
 
 /// Distance in time that does not overflow.
 std::uint64_t TimeBetween(TimeNs a, TimeNs b) {
@@ -100,7 +100,7 @@ SE3 MotionError(const PosePair& from, const PosePair& to) {
 }
 
 /// Errors of the motions between pairs, given by their indices.
-RelativeError SummariseMotions(const std::vector<PosePair>& pairs,
+RelativeError SummarizeMotions(const std::vector<PosePair>& pairs,
                                const std::vector<std::pair<int, int>>& motions) {
   std::vector<double> translations, rotations_deg;
   for (const auto& [from, to] : motions) {
@@ -108,7 +108,7 @@ RelativeError SummariseMotions(const std::vector<PosePair>& pairs,
     translations.push_back(error.translation().norm());
     rotations_deg.push_back(error.rotation().Angle() * kDegreesPerRadian);
   }
-  return {Summarise(std::move(translations)), Summarise(std::move(rotations_deg))};
+  return {Summarize(std::move(translations)), Summarize(std::move(rotations_deg))};
 }
 
 /// Path length from the first pair to each.
@@ -126,7 +126,7 @@ std::vector<double> PathTo(const std::vector<PosePair>& pairs, SE3 PosePair::*po
 struct StretchSum {
   int count = 0;
   double translation = 0;   ///< Error per length.
-  double rotation_rad = 0;  ///< Error per metre.
+  double rotation_rad = 0;  ///< Error per meter.
 
   void Add(const StretchSum& other) {
     count += other.count;
@@ -226,7 +226,7 @@ std::vector<PosePair> MoveEstimates(const Sim3& truth_from_estimate, std::vector
   return pairs;
 }
 
-ErrorStatistics Summarise(std::vector<double> errors) {
+ErrorStatistics Summarize(std::vector<double> errors) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   if (errors.empty()) return {0, kNaN, kNaN, kNaN, kNaN};
   std::sort(errors.begin(), errors.end());
@@ -258,7 +258,7 @@ RelativeError RelativeErrorOverFrames(const std::vector<PosePair>& aligned_pairs
   for (int to = delta; to < static_cast<int>(aligned_pairs.size()); ++to) {
     motions.emplace_back(to - delta, to);
   }
-  return SummariseMotions(aligned_pairs, motions);
+  return SummarizeMotions(aligned_pairs, motions);
 }
 
 RelativeError RelativeErrorOverTime(const std::vector<PosePair>& aligned_pairs, TimeNs delta_ns) {
@@ -271,7 +271,7 @@ RelativeError RelativeErrorOverTime(const std::vector<PosePair>& aligned_pairs, 
     if (to == static_cast<int>(aligned_pairs.size())) break;
     if (span_ns() - delta_ns <= delta_ns / 2) motions.emplace_back(from, to);
   }
-  return SummariseMotions(aligned_pairs, motions);
+  return SummarizeMotions(aligned_pairs, motions);
 }
 
 RelativeError RelativeErrorOverPath(const std::vector<PosePair>& aligned_pairs, double delta) {
@@ -285,7 +285,7 @@ RelativeError RelativeErrorOverPath(const std::vector<PosePair>& aligned_pairs, 
     motions.emplace_back(from, to);
     from = to;
   }
-  return SummariseMotions(aligned_pairs, motions);
+  return SummarizeMotions(aligned_pairs, motions);
 }
 
 std::optional<KittiDrift> ComputeKittiDrift(const std::vector<PosePair>& aligned_pairs) {
@@ -316,7 +316,7 @@ std::optional<ScaleDrift> ComputeScaleDrift(const std::vector<PosePair>& pairs) 
   const double last_ratio = (estimate.back() - estimate[b]) / (truth.back() - truth[b]);
   const double last_over_first = last_ratio / first_ratio;
   if (!std::isfinite(last_over_first) || last_over_first <= 0) return std::nullopt;
-  const double apart_km = 2.0 / 3 * truth.back() / kMetresPerKilometre;
+  const double apart_km = 2.0 / 3 * truth.back() / kMetersPerKilometer;
   return ScaleDrift{last_over_first, 100 * (last_over_first - 1) / apart_km};
 }
 
@@ -354,7 +354,7 @@ Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
   evaluation.truth_path_length = PathTo(pairs, &PosePair::truth_from_camera).back();
   evaluation.truth_from_estimate = Align(pairs, options.alignment);
   evaluation.aligned_pairs = MoveEstimates(evaluation.truth_from_estimate, pairs);
-  evaluation.absolute = Summarise(PositionErrors(evaluation.aligned_pairs));
+  evaluation.absolute = Summarize(PositionErrors(evaluation.aligned_pairs));
   evaluation.relative_frames =
       RelativeErrorOverFrames(evaluation.aligned_pairs, options.relative_delta_frames);
   evaluation.relative_time =

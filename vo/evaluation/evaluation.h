@@ -41,7 +41,7 @@ std::string_view ToString(Alignment alignment);
 /// The alignment of that name. Throws corvo::Error on any other.
 Alignment ParseAlignment(std::string_view name);
 
-/// The transform that minimises the sum of |truth - truth_from_estimate * estimate|² over the
+/// The transform that minimizes the sum of |truth - truth_from_estimate * estimate|² over the
 /// positions (Umeyama 1991; its scale alone for kScale). Positions on one line leave the rotation
 /// about it open, which does not change the positions' errors. Throws corvo::Error for fewer than 3
 /// pairs or where all estimated, or all true, positions are equal; never for kNone.
@@ -57,7 +57,7 @@ struct ErrorStatistics {
 };
 
 /// The median of an even count is the mean of the two in the middle.
-ErrorStatistics Summarise(std::vector<double> errors);
+ErrorStatistics Summarize(std::vector<double> errors);
 
 /// Distances between estimated and true positions, in pair order.
 std::vector<double> PositionErrors(const std::vector<PosePair>& aligned_pairs);
@@ -95,7 +95,7 @@ struct KittiDrift {
 };
 
 /// Stretches start at every 10th pair and end at the first pair that lies more than their length
-/// along the true path. None where the true path is shorter than 100 m. KITTI's truth is in metres.
+/// along the true path. None where the true path is shorter than 100 m. KITTI's truth is in meters.
 std::optional<KittiDrift> ComputeKittiDrift(const std::vector<PosePair>& aligned_pairs);
 
 /// Drift of the scale: the ratio of estimated to true path over the last third of the true path,

@@ -15,7 +15,7 @@ Eigen::Matrix<double, 3, 2> TangentBasis(const Eigen::Vector3d& unit) {
   return basis;
 }
 
-/// R ← Exp(ω) R, b ← b + B τ, normalised, with a step of ω and τ.
+/// R ← Exp(ω) R, b ← b + B τ, normalized, with a step of ω and τ.
 EpipolarMotion Plus(const EpipolarMotion& motion, const Eigen::Matrix<double, 5, 1>& step) {
   return {SO3::Exp(step.head<3>()) * motion.second_from_first,
           (motion.baseline + TangentBasis(motion.baseline) * step.tail<2>()).normalized()};

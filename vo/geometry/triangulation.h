@@ -22,7 +22,7 @@ std::optional<Eigen::Vector3d> Triangulate(const PosedRay& a, const PosedRay& b)
 /// Angle between the directions of two rays, radians: of rays that meet, the parallax there.
 double RayAngle(const PosedRay& a, const PosedRay& b);
 
-/// Angle at a point between two cameras' centres, radians.
+/// Angle at a point between two cameras' centers, radians.
 double ParallaxAngle(const Eigen::Vector3d& in_world, const SE3& world_from_a,
                      const SE3& world_from_b);
 

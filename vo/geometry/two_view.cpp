@@ -163,7 +163,7 @@ void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& s
 }
 
 /// Whether a plane explains the matches; if so, sets the reason and the motions it allows.
-bool JudgePlane(const Eigen::Matrix3d& homography, const ModelScore& essential_score,
+bool CheckPlane(const Eigen::Matrix3d& homography, const ModelScore& essential_score,
                 const std::vector<RayMatch>& matches, const InitializerOptions& options,
                 TwoViewResult& result) {
   const ModelScore score = ScoreHomography(homography, matches);
@@ -202,8 +202,8 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& homography,
   return score;
 }
 
-TwoViewResult JudgeRotation(const std::vector<RayMatch>& matches,
-                            const InitializerOptions& options) {
+TwoViewResult CheckPureRotation(const std::vector<RayMatch>& matches,
+                                const InitializerOptions& options) {
   TwoViewResult result;
   const SO3 second_from_first = EstimateRotation(matches);
   const double parallax = Median(ComputeParallax(matches, second_from_first));
@@ -220,7 +220,7 @@ TwoViewResult JudgeRotation(const std::vector<RayMatch>& matches,
 
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options) {
-  TwoViewResult result = JudgeRotation(matches, options);
+  TwoViewResult result = CheckPureRotation(matches, options);
   if (result.first_from_second_rotation) return result;
   if (static_cast<int>(matches.size()) < options.min_matches) {
     result.reason = Reason::kTooFewMatches;
@@ -234,7 +234,7 @@ TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
   }
   const ModelScore essential_score = ScoreEssential(*essential, matches);
   result.num_inliers = essential_score.num_inliers;
-  if (homography && JudgePlane(*homography, essential_score, matches, options, result)) {
+  if (homography && CheckPlane(*homography, essential_score, matches, options, result)) {
     return result;
   }
   SelectMotion(DecomposeEssential(*essential), essential_score, matches, options, result);

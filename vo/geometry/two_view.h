@@ -53,8 +53,8 @@ struct TwoViewResult {
 
 /// Whether a rotation alone explains the matches: then `first_from_second_rotation` and the reason
 /// are set. `parallax_deg` always is.
-TwoViewResult JudgeRotation(const std::vector<RayMatch>& matches,
-                            const InitializerOptions& options);
+TwoViewResult CheckPureRotation(const std::vector<RayMatch>& matches,
+                                const InitializerOptions& options);
 
 /// Essential matrix (robust, fixed seed) against homography and pure rotation. Estimators return a
 /// confident essential matrix under pure rotation and for planes, so its own inliers never decide:

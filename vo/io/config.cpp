@@ -424,7 +424,7 @@ std::string WriteCameraFile(const CameraFile& camera_file) {
   CameraParameters::Visit(parameters, FieldWriter("", text));
   if (camera_file.frame_rate_hz) {
     FieldWriter("", text)("frame_rate_hz", *camera_file.frame_rate_hz, kMinFrameRateHz,
-                          kMaxFrameRateHz, "pictures a second");
+                          kMaxFrameRateHz, "images a second");
   }
   if (camera_file.sigma) text += SigmaText(*camera_file.sigma);
   return text;

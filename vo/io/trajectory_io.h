@@ -14,7 +14,7 @@ namespace corvo {
 // before. Writers throw where the file cannot be written.
 
 /// TUM: "timestamp tx ty tz qx qy qz qw" a line, seconds; `#` starts a comment. Times are read
-/// exactly to the nanosecond. Quaternions within 1 ± 1e-2 of unit norm are normalised, others are
+/// exactly to the nanosecond. Quaternions within 1 ± 1e-2 of unit norm are normalized, others are
 /// errors.
 PoseSequence ReadTum(const std::filesystem::path& file);
 

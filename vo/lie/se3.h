@@ -27,7 +27,7 @@ class SE3 {
   SE3(const SO3& rotation, const Eigen::Vector3d& translation)
       : rotation_(rotation), translation_(translation) {}
 
-  /// From [qx qy qz qw tx ty tz]; normalises the quaternion. Throws corvo::Error as SO3 does.
+  /// From [qx qy qz qw tx ty tz]; normalizes the quaternion. Throws corvo::Error as SO3 does.
   static SE3 FromData(const double* data);
   /// [qx qy qz qw tx ty tz].
   Data data() const;

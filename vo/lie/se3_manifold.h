@@ -10,7 +10,7 @@ namespace corvo {
 ///
 /// Both Jacobians are those of Plus and Minus themselves at zero, so costs give their derivatives
 /// by the ambient parameters, or (through a tangent of their own) chain with PlusJacobian. The
-/// quaternion may be off unit norm by rounding; it is normalised wherever it is read.
+/// quaternion may be off unit norm by rounding; it is normalized wherever it is read.
 class SE3Manifold final : public ceres::Manifold {
  public:
   int AmbientSize() const override { return 7; }

@@ -21,7 +21,7 @@ class SO3 {
 
   /// Identity.
   SO3() : quaternion_(Eigen::Quaterniond::Identity()) {}
-  /// Normalises. Throws corvo::Error if the norm is zero or not finite.
+  /// Normalizes. Throws corvo::Error if the norm is zero or not finite.
   explicit SO3(const Eigen::Quaterniond& quaternion);
   /// The rotation of a matrix that is orthonormal up to rounding. Throws corvo::Error if an entry
   /// of RᵀR is more than 1e-3 from the identity's, or if the matrix is a reflection.

@@ -43,7 +43,7 @@ void UpdateRays(const Camera& camera, Frame& frame) {
   }
 }
 
-int CountSeenLandmarks(const Frame& frame) {
+int CountObservedLandmarks(const Frame& frame) {
   return static_cast<int>(frame.landmarks.size() -
                           std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
 }

@@ -44,7 +44,7 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
 void UpdateRays(const Camera& camera, Frame& frame);
 
 /// Keypoints that see a landmark.
-int CountSeenLandmarks(const Frame& frame);
+int CountObservedLandmarks(const Frame& frame);
 
 /// Memory held.
 std::size_t NumBytes(const Frame& frame);

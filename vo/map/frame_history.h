@@ -60,7 +60,7 @@ class FrameHistory {
   };
   struct Keyframe {
     int frame = kNoId;
-    SE3 from_before;  // From the keyframe before in its segment, when they became neighbours.
+    SE3 from_before;  // From the keyframe before in its segment, when they became neighbors.
   };
   using Keyframes = std::map<KeyframeId, Keyframe>;
 

@@ -26,7 +26,7 @@ std::vector<orb::Nearest> TestRatio(const std::vector<orb::Nearest>& nearest, co
                                     const GuidedMatchingOptions& options) {
   switch (options.ratio_test) {
     case RatioTest::kAnyOctave:
-      return orb::KeepDistinct(nearest, options.max_ratio);
+      return orb::RatioTest(nearest, options.max_ratio);
     case RatioTest::kSameOctave:
       return TestRatioWithinOctave(nearest, frame, options.max_ratio);
     case RatioTest::kNone:
@@ -78,7 +78,7 @@ std::vector<orb::Match> MatchGuided(const GuidedQueries& queries, const Frame& f
   const std::vector<orb::Nearest> nearest = orb::FindNearestInWindows(
       queries.descriptors, queries.windows, frame.features.descriptors, frame.keypoint_index);
   const std::vector<orb::Match> unique =
-      orb::KeepUnique(orb::KeepNear(TestRatio(nearest, frame, options), options.max_distance));
+      orb::KeepUnique(orb::DistanceTest(TestRatio(nearest, frame, options), options.max_distance));
   if (queries.keypoints.empty()) return unique;
   return orb::KeepConsistentRotation(unique, queries.keypoints, frame.features.keypoints);
 }

@@ -11,7 +11,7 @@ namespace corvo {
 namespace {
 
 /// How a step around a point's pixel in a frame becomes one in a reference, both in pixels of the
-/// input image: by the plane through the point that is parallel to the reference's picture.
+/// input image: by the plane through the point that is parallel to the reference's image.
 std::optional<Eigen::Matrix2d> ReferenceFromFrame(const Eigen::Vector3d& in_reference,
                                                   const Eigen::Vector3d& in_frame,
                                                   const SO3& frame_from_reference,
@@ -80,7 +80,7 @@ bool AlignKeypoint(const Map& map, const Landmark& landmark, Frame& frame, int k
   return true;
 }
 
-bool AlignObservation(LandmarkId id, const Observation& observation, Map& map) {
+bool AlignTrackElement(LandmarkId id, const TrackElement& observation, Map& map) {
   const Landmark& landmark = *map.FindLandmark(id);
   if (observation.keyframe == landmark.reference.keyframe) return false;
   const auto aligned =

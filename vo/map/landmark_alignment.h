@@ -11,12 +11,12 @@ namespace corvo {
 /// Moves keypoint `k` of a frame whose pose is nearly known to where it sees exactly what the
 /// landmark's reference sees: corners are found to about a pixel of their level, and what differs
 /// from frame to frame would bias the scale of the map. The reference's patch is taken as a plane
-/// parallel to its picture. Returns false, and leaves the keypoint, where the patches do not fit or
+/// parallel to its image. Returns false, and leaves the keypoint, where the patches do not fit or
 /// there are none.
 bool AlignKeypoint(const Map& map, const Landmark& landmark, Frame& frame, int k);
 
 /// AlignKeypoint for an observation of the map.
-bool AlignObservation(LandmarkId landmark, const Observation& observation, Map& map);
+bool AlignTrackElement(LandmarkId landmark, const TrackElement& observation, Map& map);
 
 /// The ray by which the second of two frames shows exactly what a keypoint of the first sees, where
 /// between them the camera only turned. None where the patches do not fit or there are none.

@@ -7,7 +7,7 @@ namespace corvo {
 Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark) {
   constexpr double kSigmaAlong = 10;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  for (const Observation& o : landmark.observations) {
+  for (const TrackElement& o : landmark.track) {
     const Frame& frame = map.keyframe(o.keyframe).frame;
     const Eigen::Vector3d ray = landmark.in_world - frame.world_from_camera.translation();
     const double squared_distance = ray.squaredNorm();

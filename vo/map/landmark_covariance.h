@@ -6,8 +6,8 @@
 
 namespace corvo {
 
-/// Covariance of a landmark's position, the poses of its keyframes taken as exact. A sighting over
-/// the distance d along the direction r, to σ px, tells the place across r to σ d / f, f =
+/// Covariance of a landmark's position, the poses of its keyframes taken as exact. A observation
+/// over the distance d along the direction r, to σ px, tells the place across r to σ d / f, f =
 /// camera.focal(), and along r next to nothing, to 10 d:
 ///
 ///     C⁻¹ = Σ (f / (σ d))² (I - r rᵀ) + r rᵀ / (10 d)²

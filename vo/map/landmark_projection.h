@@ -20,7 +20,7 @@ struct LandmarkView {
   orb::SearchWindow Window(double radius_px, int octaves_below, int octaves_above) const;
 };
 
-/// None if the landmark lies behind the camera or outside the picture, at a distance from which no
+/// None if the landmark lies behind the camera or outside the image, at a distance from which no
 /// octave shows it, or is seen from more than 60 degrees beside its mean view direction.
 std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3& world_from_camera,
                                             const MeasurementModel& model);

@@ -8,10 +8,10 @@
 namespace corvo {
 namespace {
 
-std::vector<Observation>::const_iterator FindObservation(const Landmark& landmark,
-                                                         KeyframeId keyframe) {
-  return std::find_if(landmark.observations.begin(), landmark.observations.end(),
-                      [&](const Observation& o) { return o.keyframe == keyframe; });
+std::vector<TrackElement>::const_iterator FindTrackElement(const Landmark& landmark,
+                                                           KeyframeId keyframe) {
+  return std::find_if(landmark.track.begin(), landmark.track.end(),
+                      [&](const TrackElement& o) { return o.keyframe == keyframe; });
 }
 
 /// The descriptor with the least median distance to all others (the first of equals).
@@ -79,7 +79,7 @@ KeyframeId Map::AddKeyframe(Frame frame, int segment) {
   const KeyframeId id = num_keyframes();
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] == kNoId) continue;
-    landmarks_.at(frame.landmarks[k]).observations.push_back({id, k});
+    landmarks_.at(frame.landmarks[k]).track.push_back({id, k});
   }
   Place place;
   place.segment = segment;
@@ -90,21 +90,21 @@ KeyframeId Map::AddKeyframe(Frame frame, int segment) {
 
 void Map::CullKeyframe(KeyframeId id, KeyframeId anchor) {
   for (const LandmarkId landmark : LandmarksOf(id)) {
-    if (FindLandmark(landmark) != nullptr) RemoveObservation(landmark, id);
+    if (FindLandmark(landmark) != nullptr) RemoveTrackElement(landmark, id);
   }
   places_[id].pose = WorldFromKeyframe(anchor).Inverse() * keyframe(id).frame.world_from_camera;
   places_[id].anchor = anchor;
   keyframes_.erase(id);
 }
 
-std::vector<FinishedLandmark> Map::MarginalizeKeyframe(KeyframeId id) {
-  std::vector<FinishedLandmark> finished;
+std::vector<MarginalizedLandmark> Map::MarginalizeKeyframe(KeyframeId id) {
+  std::vector<MarginalizedLandmark> finished;
   for (const LandmarkId landmark_id : LandmarksOf(id)) {
     const Landmark& landmark = landmarks_.at(landmark_id);
-    if (landmark.observations.size() <= 2) {
+    if (landmark.track.size() <= 2) {
       finished.push_back({landmark_id, landmark.segment, landmark.in_world});
     }
-    RemoveObservation(landmark_id, id);
+    RemoveTrackElement(landmark_id, id);
   }
   places_[id].pose = keyframe(id).frame.world_from_camera;
   keyframes_.erase(id);
@@ -123,7 +123,7 @@ void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {
 }
 
 /// By definition the keypoint lies where its own patch puts it.
-Reference Map::MakeReference(const Observation& observation) {
+Reference Map::MakeReference(const TrackElement& observation) {
   Frame& frame = keyframes_.at(observation.keyframe).frame;
   const int k = observation.keypoint;
   Reference reference;
@@ -137,7 +137,7 @@ Reference Map::MakeReference(const Observation& observation) {
 }
 
 LandmarkId Map::AddLandmark(const Eigen::Vector3d& in_world,
-                            std::vector<Observation> observations) {
+                            std::vector<TrackElement> observations) {
   const LandmarkId id = num_landmark_ids_++;
   Landmark& landmark = landmarks_[id];
   landmark.id = id;
@@ -146,11 +146,11 @@ LandmarkId Map::AddLandmark(const Eigen::Vector3d& in_world,
   landmark.newest_keyframe = num_keyframes() - 1;
   landmark.num_visible = landmark.num_found = static_cast<int>(observations.size());
   landmark.reference = MakeReference(observations.front());
-  for (const Observation& observation : observations) AddObservation(id, observation);
+  for (const TrackElement& observation : observations) AddTrackElement(id, observation);
   return id;
 }
 
-void Map::SetPixel(const Observation& observation, const Eigen::Vector2d& pixel,
+void Map::SetPixel(const TrackElement& observation, const Eigen::Vector2d& pixel,
                    const Eigen::Vector2d& ray) {
   Frame& frame = keyframes_.at(observation.keyframe).frame;
   frame.pixels[observation.keypoint] = pixel;
@@ -163,7 +163,7 @@ void Map::SetPosition(LandmarkId id, const Eigen::Vector3d& in_world) {
 }
 
 void Map::RemoveLandmark(LandmarkId id) {
-  for (const Observation& o : landmarks_.at(id).observations) {
+  for (const TrackElement& o : landmarks_.at(id).track) {
     keyframes_.at(o.keyframe).frame.landmarks[o.keypoint] = kNoId;
   }
   landmarks_.erase(id);
@@ -177,8 +177,8 @@ void Map::MergeLandmark(LandmarkId from, LandmarkId into) {
   Landmark& merged = landmarks_.at(into);
   merged.num_visible += old.num_visible;
   merged.num_found += old.num_found;
-  for (const Observation& o : old.observations) {
-    if (FindObservation(merged, o.keyframe) == merged.observations.end()) AddObservation(into, o);
+  for (const TrackElement& o : old.track) {
+    if (FindTrackElement(merged, o.keyframe) == merged.track.end()) AddTrackElement(into, o);
   }
 }
 
@@ -199,35 +199,35 @@ void Map::CountSeen(const std::vector<LandmarkId>& visible, const Frame& frame) 
   }
 }
 
-void Map::AddObservation(LandmarkId id, const Observation& observation) {
-  std::vector<Observation>& observations = landmarks_.at(id).observations;
+void Map::AddTrackElement(LandmarkId id, const TrackElement& observation) {
+  std::vector<TrackElement>& observations = landmarks_.at(id).track;
   const auto later = std::find_if(observations.begin(), observations.end(),
                                   [&](const auto& o) { return o.keyframe > observation.keyframe; });
   observations.insert(later, observation);
   keyframes_.at(observation.keyframe).frame.landmarks[observation.keypoint] = id;
 }
 
-void Map::RemoveObservation(LandmarkId id, KeyframeId keyframe) {
+void Map::RemoveTrackElement(LandmarkId id, KeyframeId keyframe) {
   Landmark& landmark = landmarks_.at(id);
-  const auto found = FindObservation(landmark, keyframe);
-  if (found == landmark.observations.end()) return;
+  const auto found = FindTrackElement(landmark, keyframe);
+  if (found == landmark.track.end()) return;
   keyframes_.at(keyframe).frame.landmarks[found->keypoint] = kNoId;
-  landmark.observations.erase(found);
-  if (landmark.observations.size() < 2) RemoveLandmark(id);
+  landmark.track.erase(found);
+  if (landmark.track.size() < 2) RemoveLandmark(id);
 }
 
 void Map::UpdateAppearance(LandmarkId id) {
   Landmark& landmark = landmarks_.at(id);
   std::vector<orb::Descriptor> descriptors;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Observation& o : landmark.observations) {
+  for (const TrackElement& o : landmark.track) {
     const Frame& frame = keyframe(o.keyframe).frame;
     descriptors.push_back(frame.descriptor(o.keypoint));
     sum += (landmark.in_world - frame.world_from_camera.translation()).normalized();
   }
   landmark.descriptor = descriptors[FindMedoid(descriptors)];
   landmark.view_direction = sum.normalized();
-  const Observation& first = landmark.observations.front();
+  const TrackElement& first = landmark.track.front();
   const Frame& frame = keyframe(first.keyframe).frame;
   landmark.max_distance = (landmark.in_world - frame.world_from_camera.translation()).norm() *
                           model_.Scale(frame, first.keypoint);
@@ -241,12 +241,12 @@ std::size_t Map::working_set_bytes() const {
     num_bytes += kLink + sizeof entry - sizeof(Frame) + NumBytes(entry.second.frame);
   }
   for (const auto& entry : landmarks_) {
-    num_bytes += kLink + sizeof entry + entry.second.observations.capacity() * sizeof(Observation);
+    num_bytes += kLink + sizeof entry + entry.second.track.capacity() * sizeof(TrackElement);
   }
   return num_bytes + merges_.size() * (sizeof(Merge) + kLink + 2 * sizeof(LandmarkId));
 }
 
-std::vector<LandmarkId> Map::FindSeen(const std::vector<KeyframeId>& keyframes) const {
+std::vector<LandmarkId> Map::FindObserved(const std::vector<KeyframeId>& keyframes) const {
   LandmarkId first = num_landmark_ids();
   for (const KeyframeId id : keyframes) {
     for (const LandmarkId landmark : keyframe(id).frame.landmarks) {
@@ -286,7 +286,7 @@ std::vector<Covisible> Map::CountShared(const std::vector<LandmarkId>& landmarks
   for (const LandmarkId id : landmarks) {
     const Landmark* landmark = FindLandmark(id);
     if (landmark == nullptr) continue;
-    for (const Observation& o : landmark->observations) ++shared[o.keyframe];
+    for (const TrackElement& o : landmark->track) ++shared[o.keyframe];
   }
   std::vector<Covisible> covisible;
   for (KeyframeId id = 0; id < num_keyframes(); ++id) {

@@ -15,11 +15,11 @@
 namespace corvo {
 
 /// Keypoint `keypoint` of keyframe `keyframe` sees a landmark.
-struct Observation {
+struct TrackElement {
   KeyframeId keyframe = kNoId;
   int keypoint = kNoId;
 
-  bool operator==(const Observation&) const = default;
+  bool operator==(const TrackElement&) const = default;
 };
 
 /// The view in which a landmark is where it is: other views are aligned with it.
@@ -36,9 +36,9 @@ struct Landmark {
   LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
-  std::vector<Observation> observations;  ///< At most one a keyframe, in ascending keyframe.
-  KeyframeId newest_keyframe = kNoId;     ///< The newest keyframe when the landmark was made.
-  orb::Descriptor descriptor;             ///< The medoid of its observations' descriptors.
+  std::vector<TrackElement> track;     ///< At most one element for each keyframe, by keyframe.
+  KeyframeId newest_keyframe = kNoId;  ///< The newest keyframe when the landmark was made.
+  orb::Descriptor descriptor;          ///< The medoid of its observations' descriptors.
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
   Reference reference;
   double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
@@ -54,7 +54,7 @@ struct Keyframe {
 };
 
 /// What is left of a landmark whose keyframes have left the map. It never moves again.
-struct FinishedLandmark {
+struct MarginalizedLandmark {
   LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
@@ -130,14 +130,14 @@ class Map {
   void UpdateRays(KeyframeId id);
   /// The keyframe leaves; its pose stays as it is for ever. Landmarks that lose their second last
   /// observation leave with it and are returned, in the order of its keypoints.
-  std::vector<FinishedLandmark> MarginalizeKeyframe(KeyframeId id);
+  std::vector<MarginalizedLandmark> MarginalizeKeyframe(KeyframeId id);
   /// Of a keyframe that is kept.
   void SetPose(KeyframeId id, const SE3& world_from_camera);
 
   /// Two or more observations, each of a keypoint that sees nothing yet.
-  LandmarkId AddLandmark(const Eigen::Vector3d& in_world, std::vector<Observation> observations);
+  LandmarkId AddLandmark(const Eigen::Vector3d& in_world, std::vector<TrackElement> track);
   /// Sets where a keypoint of a keyframe, aligned with its landmark, sees it, and the ray.
-  void SetPixel(const Observation& observation, const Eigen::Vector2d& pixel,
+  void SetPixel(const TrackElement& observation, const Eigen::Vector2d& pixel,
                 const Eigen::Vector2d& ray);
   void SetPosition(LandmarkId id, const Eigen::Vector3d& in_world);
   void RemoveLandmark(LandmarkId id);
@@ -150,9 +150,9 @@ class Map {
   void CountSeen(const std::vector<LandmarkId>& visible, const Frame& frame);
 
   /// The keypoint must see nothing yet, and the landmark nothing in that keyframe.
-  void AddObservation(LandmarkId id, const Observation& observation);
+  void AddTrackElement(LandmarkId id, const TrackElement& observation);
   /// Removes the landmark too when fewer than two observations are left.
-  void RemoveObservation(LandmarkId id, KeyframeId keyframe);
+  void RemoveTrackElement(LandmarkId id, KeyframeId keyframe);
 
   /// Recomputes descriptor, view direction and distance from the observations.
   void UpdateAppearance(LandmarkId id);
@@ -160,7 +160,7 @@ class Map {
   /// Landmarks that an active keyframe observes, in the order of its keypoints.
   std::vector<LandmarkId> LandmarksOf(KeyframeId id) const;
   /// Landmarks that any of the keyframes sees, in id order.
-  std::vector<LandmarkId> FindSeen(const std::vector<KeyframeId>& keyframes) const;
+  std::vector<LandmarkId> FindObserved(const std::vector<KeyframeId>& keyframes) const;
 
   /// Keyframes that share at least `min_shared` landmarks with `id`, most first, then newest first.
   std::vector<Covisible> FindCovisible(KeyframeId id, int min_shared = 1) const;
@@ -170,10 +170,10 @@ class Map {
   /// Memory held by kept keyframes and living landmarks.
   std::size_t working_set_bytes() const;
   /// Memory held by what stays of every keyframe.
-  std::size_t place_bytes() const { return places_.size() * sizeof(Place); }
+  std::size_t keyframe_bytes() const { return places_.size() * sizeof(Place); }
 
  private:
-  Reference MakeReference(const Observation& observation);
+  Reference MakeReference(const TrackElement& observation);
   /// What stays of a keyframe.
   struct Place {
     SE3 pose;                   // anchor_from_keyframe or, without an anchor, world_from_keyframe.

@@ -11,7 +11,7 @@ enum class Verdict { kOnProbation, kAccepted, kCulled };
 Verdict Judge(const Landmark& landmark, int num_keyframes, const CullingOptions& options) {
   if (landmark.num_found < options.min_found_share * landmark.num_visible) return Verdict::kCulled;
   const int age = num_keyframes - 1 - landmark.newest_keyframe;
-  const int num_observations = static_cast<int>(landmark.observations.size());
+  const int num_observations = static_cast<int>(landmark.track.size());
   const bool has_too_few = num_observations < options.min_observations;
   if (age >= options.min_observations_age && has_too_few) return Verdict::kCulled;
   return age >= options.num_probation_keyframes ? Verdict::kAccepted : Verdict::kOnProbation;
@@ -19,11 +19,11 @@ Verdict Judge(const Landmark& landmark, int num_keyframes, const CullingOptions&
 
 /// Whether enough other keyframes observe a landmark in the same or a finer octave (one coarser
 /// counts as the same).
-bool IsRedundant(const Map& map, const Landmark& landmark, const Observation& observation,
+bool IsRedundant(const Map& map, const Landmark& landmark, const TrackElement& observation,
                  int num_observers) {
   const int octave = map.keyframe(observation.keyframe).frame.keypoint(observation.keypoint).octave;
   int num_others = 0;
-  for (const Observation& o : landmark.observations) {
+  for (const TrackElement& o : landmark.track) {
     if (o.keyframe == observation.keyframe) continue;
     const Frame& other = map.keyframe(o.keyframe).frame;
     num_others += other.keypoint(o.keypoint).octave <= octave + 1;
@@ -50,7 +50,7 @@ bool IsFirstOfSegment(const Map& map, const Keyframe& keyframe) {
 bool SharesLandmark(const Map& map, const Keyframe& keyframe, KeyframeId newest) {
   for (const LandmarkId id : keyframe.frame.landmarks) {
     const Landmark* landmark = map.FindLandmark(id);
-    if (landmark != nullptr && landmark->observations.back().keyframe == newest) return true;
+    if (landmark != nullptr && landmark->track.back().keyframe == newest) return true;
   }
   return false;
 }
@@ -88,16 +88,16 @@ std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& o
   return culled;
 }
 
-std::vector<FinishedLandmark> MarginalizeKeyframes(
+std::vector<MarginalizedLandmark> MarginalizeKeyframes(
     int num_recent, const std::function<void(const Keyframe&)>& before, Map& map) {
   map.ForgetMergesBefore(map.num_keyframes() - num_recent);
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
-  std::vector<FinishedLandmark> finished;
+  std::vector<MarginalizedLandmark> finished;
   if (static_cast<int>(active.size()) <= num_recent) return finished;
   for (auto id = active.begin(); id != active.end() - num_recent; ++id) {
     if (SharesLandmark(map, map.keyframe(*id), active.back())) continue;
     if (before) before(map.keyframe(*id));
-    const std::vector<FinishedLandmark> left = map.MarginalizeKeyframe(*id);
+    const std::vector<MarginalizedLandmark> left = map.MarginalizeKeyframe(*id);
     finished.insert(finished.end(), left.begin(), left.end());
   }
   return finished;

@@ -22,7 +22,7 @@ std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& o
 /// active ones, and without a landmark of the newest. Returns the landmarks that left the map with
 /// them. Forgets merges from before the `num_recent` newest keyframes of all. `before` is called
 /// with each keyframe before it leaves.
-std::vector<FinishedLandmark> MarginalizeKeyframes(
+std::vector<MarginalizedLandmark> MarginalizeKeyframes(
     int num_recent, const std::function<void(const Keyframe&)>& before, Map& map);
 
 }  // namespace corvo

@@ -9,7 +9,7 @@ int CountEstablished(const Map& map, KeyframeId id) {
   const std::size_t min_observations = has_three ? 3 : 2;
   int count = 0;
   for (const LandmarkId landmark : map.LandmarksOf(id)) {
-    count += map.FindLandmark(landmark)->observations.size() >= min_observations;
+    count += map.FindLandmark(landmark)->track.size() >= min_observations;
   }
   return count;
 }
@@ -18,7 +18,7 @@ int CountEstablished(const Map& map, KeyframeId id) {
 
 KeyframeEvidence CollectEvidence(const Map& map, const Frame& frame) {
   const KeyframeId reference = map.FindCovisible(frame).front().keyframe;
-  return {frame.num_keypoints(), CountSeenLandmarks(frame), CountEstablished(map, reference)};
+  return {frame.num_keypoints(), CountObservedLandmarks(frame), CountEstablished(map, reference)};
 }
 
 bool NeedsKeyframe(const KeyframeEvidence& evidence, const KeyframeOptions& options) {

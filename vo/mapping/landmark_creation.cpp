@@ -83,7 +83,7 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe,
 
 /// Adds the point of a match between two keyframes as a landmark, triangulated again after its
 /// second keypoint was aligned with the first. Returns whether there is such a point.
-bool CreateLandmark(const Observation& first, const Observation& second, double min_parallax,
+bool CreateLandmark(const TrackElement& first, const TrackElement& second, double min_parallax,
                     Map& map) {
   const View a{map.keyframe(first.keyframe).frame, first.keypoint};
   const View b{map.keyframe(second.keyframe).frame, second.keypoint};
@@ -91,7 +91,7 @@ bool CreateLandmark(const Observation& first, const Observation& second, double 
   if (!in_world) return false;
   const LandmarkId id = map.AddLandmark(*in_world, {first, second});
   map.UpdateAppearance(id);
-  if (!AlignObservation(id, second, map)) return true;
+  if (!AlignTrackElement(id, second, map)) return true;
   const auto refined = TriangulateViews(a, b, map.model(), min_parallax);
   if (refined) map.SetPosition(id, *refined);
   return true;

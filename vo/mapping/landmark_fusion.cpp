@@ -13,14 +13,14 @@ namespace corvo {
 namespace {
 
 bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
-  return std::any_of(landmark.observations.begin(), landmark.observations.end(),
-                     [&](const Observation& o) { return o.keyframe == keyframe; });
+  return std::any_of(landmark.track.begin(), landmark.track.end(),
+                     [&](const TrackElement& o) { return o.keyframe == keyframe; });
 }
 
 /// Merges two landmarks into the one with more observations (the older of equals).
 LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
-  const std::size_t num_a = map.FindLandmark(a)->observations.size();
-  const std::size_t num_b = map.FindLandmark(b)->observations.size();
+  const std::size_t num_a = map.FindLandmark(a)->track.size();
+  const std::size_t num_b = map.FindLandmark(b)->track.size();
   const bool keep_a = num_a != num_b ? num_a > num_b : a < b;
   const LandmarkMerge merge{keep_a ? b : a, keep_a ? a : b};
   map.MergeLandmark(merge.from, merge.into);
@@ -57,7 +57,7 @@ class LandmarkFuser {
     return unobserved;
   }
 
-  bool Fits(const Landmark& landmark, const Observation& observation) const {
+  bool Fits(const Landmark& landmark, const TrackElement& observation) const {
     const Frame& frame = map_.keyframe(observation.keyframe).frame;
     const PointObservation seen{landmark.in_world, frame.pixel(observation.keypoint),
                                 map_.model().Sigma(frame, observation.keypoint)};
@@ -65,20 +65,20 @@ class LandmarkFuser {
   }
 
   /// Makes a keypoint observe a landmark, merged with the one that it observes, if they agree.
-  void FuseKeypoint(LandmarkId id, const Observation& observation) {
+  void FuseKeypoint(LandmarkId id, const TrackElement& observation) {
     const Landmark* landmark = map_.FindLandmark(id);
     if (landmark == nullptr || IsObservedBy(*landmark, observation.keyframe)) return;
     if (!Fits(*landmark, observation)) return;
     const LandmarkId present =
         map_.keyframe(observation.keyframe).frame.landmarks[observation.keypoint];
     if (present == kNoId) {
-      map_.AddObservation(id, observation);
-      AlignObservation(id, observation, map_);
+      map_.AddTrackElement(id, observation);
+      AlignTrackElement(id, observation, map_);
     } else {
       fused_.merges.push_back(Merge(map_, id, present));
       id = fused_.merges.back().into;
-      const std::vector<Observation> observations = map_.FindLandmark(id)->observations;
-      for (const Observation& o : observations) AlignObservation(id, o, map_);
+      const std::vector<TrackElement> observations = map_.FindLandmark(id)->track;
+      for (const TrackElement& o : observations) AlignTrackElement(id, o, map_);
     }
     map_.UpdateAppearance(id);
     ++fused_.num_fused;

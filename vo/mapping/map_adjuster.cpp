@@ -60,13 +60,13 @@ void MapAdjuster::Start(const Map& map, int frame) {
 }
 
 void MapAdjuster::StartLastCalibration(const Map& map, int frame) {
-  if (contradicts_prior_ || newest_calibrated_ == map.num_keyframes() - 1) return;
+  if (prior_rejected_ || newest_calibrated_ == map.num_keyframes() - 1) return;
   if (CountActive(map) >= options_.calibration.min_keyframes) StartCalibration(map, frame);
 }
 
 int MapAdjuster::NextCalibration() const {
   const CalibrationOptions& options = options_.calibration;
-  const double growth = contradicts_prior_ ? options.growth_after_rejection : options.growth;
+  const double growth = prior_rejected_ ? options.growth_after_rejection : options.growth;
   return std::max(options.min_keyframes, static_cast<int>(growth * num_calibrated_));
 }
 
@@ -101,9 +101,9 @@ bool MapAdjuster::Finish(int frame, Map& map) {
 void MapAdjuster::FinishCalibration(Map& map) {
   const Calibrated result = calibration_.result.get();
   if (!result.estimate) return;
-  contradicts_prior_ = !prior_.Allows(result.estimate->difference);
-  if (!contradicts_prior_) WriteBack(result.bundle, map);
-  estimate_ = contradicts_prior_ ? PriorEstimate(prior_) : *result.estimate;
+  prior_rejected_ = !prior_.PassesChiSquareTest(result.estimate->difference);
+  if (!prior_rejected_) WriteBack(result.bundle, map);
+  estimate_ = prior_rejected_ ? PriorEstimate(prior_) : *result.estimate;
   const Camera camera(prior_.Apply(estimate_.difference));
   if (camera == map.camera()) return;
   map.SetCamera(camera);

@@ -13,7 +13,7 @@ namespace corvo {
 
 /// Adjusts the map on threads of its own, beside the frames that follow: the window of a new
 /// keyframe and, whenever the map has grown by a third, more keyframes and the camera with them; by
-/// as much again, where the pictures contradict the camera. One of each at a time. Their results
+/// as much again, where the images contradict the camera. One of each at a time. Their results
 /// are due at fixed frames, however long they took, so that the same frames find the same map.
 class MapAdjuster {
  public:
@@ -34,8 +34,8 @@ class MapAdjuster {
 
   const CameraEstimate& camera_estimate() const { return estimate_; }
   const CameraPrior& camera_prior() const { return prior_; }
-  /// The pictures do not fit the given camera within its sigmas: it is used as it was given.
-  bool contradicts_given_camera() const { return contradicts_prior_; }
+  /// The images do not fit the given camera within its sigmas: it is used as it was given.
+  bool prior_rejected() const { return prior_rejected_; }
 
  private:
   struct Calibrated {
@@ -65,7 +65,7 @@ class MapAdjuster {
   CameraEstimate estimate_;
   int num_calibrated_ = 0;                // Keyframes that told estimate_, or are about to.
   KeyframeId newest_calibrated_ = kNoId;  // Of these.
-  bool contradicts_prior_ = false;
+  bool prior_rejected_ = false;
 };
 
 }  // namespace corvo

@@ -18,10 +18,10 @@ KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Fram
   const KeyframeId first_id = map.AddKeyframe(first, segment);
   const KeyframeId second_id = map.AddKeyframe(second, segment);
   for (const InitialPoint& point : initial.points) {
-    const Observation in_second{second_id, point.second_keypoint};
+    const TrackElement in_second{second_id, point.second_keypoint};
     const LandmarkId id = map.AddLandmark(first.world_from_camera * point.in_first,
                                           {{first_id, point.first_keypoint}, in_second});
-    AlignObservation(id, in_second, map);
+    AlignTrackElement(id, in_second, map);
     map.UpdateAppearance(id);
     probation_.push_back(id);
   }

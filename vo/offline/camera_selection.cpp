@@ -10,71 +10,71 @@
 namespace corvo {
 namespace {
 
-CameraModel ModelOf(CameraDescription description) {
+CameraModel ModelOf(CalibrationModel description) {
   switch (description) {
-    case CameraDescription::kKb4:
+    case CalibrationModel::kKb4:
       return CameraModel::kKb4;
-    case CameraDescription::kFov:
+    case CalibrationModel::kFov:
       return CameraModel::kFov;
-    case CameraDescription::kPinhole:
-    case CameraDescription::kRadtan:
+    case CalibrationModel::kPinhole:
+    case CalibrationModel::kRadtan:
       break;
   }
   return CameraModel::kPinhole;
 }
 
-std::vector<FreeParameter> DistortionOf(CameraDescription description) {
+std::vector<FreeParameter> DistortionOf(CalibrationModel description) {
   constexpr double kRadialSigma = 0.3, kTangentialSigma = 0.01, kOmegaSigma = 1;
   switch (description) {
-    case CameraDescription::kPinhole:
+    case CalibrationModel::kPinhole:
       break;
-    case CameraDescription::kRadtan:
+    case CalibrationModel::kRadtan:
       return {{"k1", kRadialSigma},
               {"k2", kRadialSigma},
               {"p1", kTangentialSigma},
               {"p2", kTangentialSigma}};
-    case CameraDescription::kKb4:
+    case CalibrationModel::kKb4:
       return {
           {"k1", kRadialSigma}, {"k2", kRadialSigma}, {"k3", kRadialSigma}, {"k4", kRadialSigma}};
-    case CameraDescription::kFov:
+    case CalibrationModel::kFov:
       return {{"omega", kOmegaSigma}};
   }
   return {};
 }
 
 double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adjustment) {
-  if (adjustment.outcome != AdjustmentOutcome::kLowered) {
+  if (adjustment.outcome != AdjustmentOutcome::kImproved) {
     return std::numeric_limits<double>::infinity();
   }
-  return prior.num_free() * std::log(2.0 * adjustment.num_sightings) + 2 * adjustment.final_cost;
+  return prior.num_free() * std::log(2.0 * adjustment.num_observations) + 2 * adjustment.final_cost;
 }
 
 }  // namespace
 
-std::string_view ToString(CameraDescription description) {
+std::string_view ToString(CalibrationModel description) {
   switch (description) {
-    case CameraDescription::kPinhole:
+    case CalibrationModel::kPinhole:
       return "pinhole";
-    case CameraDescription::kRadtan:
+    case CalibrationModel::kRadtan:
       return "radtan";
-    case CameraDescription::kKb4:
+    case CalibrationModel::kKb4:
       return "kb4";
-    case CameraDescription::kFov:
+    case CalibrationModel::kFov:
       return "fov";
   }
   return "";
 }
 
-std::vector<CameraDescription> AllCameraDescriptions() {
-  return {CameraDescription::kPinhole, CameraDescription::kFov, CameraDescription::kRadtan,
-          CameraDescription::kKb4};
+std::vector<CalibrationModel> AllCalibrationModels() {
+  return {CalibrationModel::kPinhole, CalibrationModel::kFov, CalibrationModel::kRadtan,
+          CalibrationModel::kKb4};
 }
 
-CameraPrior PriorOf(CameraDescription description, const Camera& start) {
+CameraPrior PriorOf(CalibrationModel description, const Camera& start) {
   const double center_sigma = 0.02 * start.width();
   CameraPrior prior{FitCamera(start, ModelOf(description)),
                     {{"focal"}, {"cx", center_sigma}, {"cy", center_sigma}}};
-  if (description == CameraDescription::kPinhole)
+  if (description == CalibrationModel::kPinhole)
     prior.given = WithoutDistortion(prior.given, CameraModel::kPinhole);
   prior.given.cx = 0.5 * (start.width() - 1);
   prior.given.cy = 0.5 * (start.height() - 1);
@@ -82,7 +82,7 @@ CameraPrior PriorOf(CameraDescription description, const Camera& start) {
   return prior;
 }
 
-CameraCandidate AdjustCandidate(CameraDescription description, const Camera& start,
+CameraCandidate AdjustCandidate(CalibrationModel description, const Camera& start,
                                 const std::vector<Bundle>& bundles,
                                 const AdjustmentProgress& progress) {
   CameraCandidate candidate{description, PriorOf(description, start), {}, bundles, 0};

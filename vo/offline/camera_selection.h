@@ -12,7 +12,7 @@
 namespace corvo {
 
 /// A way to describe a camera of which nothing is known.
-enum class CameraDescription {
+enum class CalibrationModel {
   kPinhole,  ///< Without distortion.
   kRadtan,   ///< Pinhole with k1, k2, p1 and p2.
   kKb4,      ///< As CameraModel::kKb4.
@@ -20,31 +20,31 @@ enum class CameraDescription {
 };
 
 /// "pinhole", "radtan", "kb4" or "fov".
-std::string_view ToString(CameraDescription description);
+std::string_view ToString(CalibrationModel description);
 
 /// All of them, the one with the fewest parameters first.
-std::vector<CameraDescription> AllCameraDescriptions();
+std::vector<CalibrationModel> AllCalibrationModels();
 
-/// What is known of a camera so described before its pictures are seen, besides a start: of the
-/// focal length nothing, of the principal point that it lies near the picture's centre (sigma: 2%
+/// What is known of a camera so described before its images are seen, besides a start: of the
+/// focal length nothing, of the principal point that it lies near the image's center (sigma: 2%
 /// of the width), of its distortion that it is not beyond what lenses have (sigma: radial terms
 /// 0.3, tangential ones 0.01, omega 1). Pixels are square: fx and fy keep their ratio.
-CameraPrior PriorOf(CameraDescription description, const Camera& start);
+CameraPrior PriorOf(CalibrationModel description, const Camera& start);
 
 /// Bundles adjusted with a camera so described.
 struct CameraCandidate {
-  CameraDescription description = CameraDescription::kPinhole;
+  CalibrationModel description = CalibrationModel::kPinhole;
   CameraPrior prior;
   FullAdjustment adjustment;
-  std::vector<Bundle> bundles;  ///< As they were, unless adjustment.outcome is kLowered.
+  std::vector<Bundle> bundles;  ///< As they were, unless adjustment.outcome is kImproved.
   /// Bayesian information criterion (Schwarz 1978), k ln(n) + 2 cost, with k free parameters and n
-  /// coordinates; infinite unless adjustment.outcome is kLowered.
+  /// coordinates; infinite unless adjustment.outcome is kImproved.
   double information_criterion = 0;
 };
 
 /// Adjusts bundles that one camera has seen, from a start on, with a camera so described. See
 /// AdjustFully.
-CameraCandidate AdjustCandidate(CameraDescription description, const Camera& start,
+CameraCandidate AdjustCandidate(CalibrationModel description, const Camera& start,
                                 const std::vector<Bundle>& bundles,
                                 const AdjustmentProgress& progress = {});
 

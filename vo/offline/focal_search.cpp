@@ -62,27 +62,27 @@ double SampsonError(const Eigen::Matrix3d& fundamental, const PixelMatch& match)
   return std::abs(match.second.homogeneous().dot(in_second)) / (norm * match.sigma);
 }
 
-/// A pair whose wrong matches are left out; pixels from the picture's centre.
+/// A pair whose wrong matches are left out; pixels from the image's center.
 struct Pair {
   PixelMatches matches;
   Eigen::Matrix3d fundamental;
   double noise = 0;  // Median Sampson error as a standard deviation, in units of the sigmas.
 };
 
-std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& centre) {
+std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& center) {
   constexpr double kNormalFromMedian = 1.4826;
   constexpr double kMaxError = 3;
   if (matches.size() < kMinMatches) return std::nullopt;
-  PixelMatches centred = matches;
-  for (PixelMatch& match : centred) {
-    match.first -= centre;
-    match.second -= centre;
+  PixelMatches centered = matches;
+  for (PixelMatch& match : centered) {
+    match.first -= center;
+    match.second -= center;
   }
-  const std::optional<Eigen::Matrix3d> fundamental = FindFundamental(centred);
+  const std::optional<Eigen::Matrix3d> fundamental = FindFundamental(centered);
   if (!fundamental) return std::nullopt;
   Pair pair{{}, *fundamental, 0};
   std::vector<double> errors;
-  for (const PixelMatch& match : centred) {
+  for (const PixelMatch& match : centered) {
     const double error = SampsonError(*fundamental, match);
     if (!(error < kMaxError)) continue;
     pair.matches.push_back(match);
@@ -152,7 +152,7 @@ double RotationCost(const std::vector<RayMatch>& matches) {
   return MinimizeLevenbergMarquardt<3>(EstimateRotation(matches), build, plus, kMaxIterations).cost;
 }
 
-/// Costs of one pair over focal lengths that neighbour one another.
+/// Costs of one pair over focal lengths that neighbor one another.
 std::vector<double> RotationCosts(const Pair& pair, const std::vector<double>& focals,
                                   double noise) {
   std::vector<double> costs;
@@ -277,7 +277,7 @@ double SpreadVariance(const Sweep& sweep, double focal, double inflation) {
   return sum / weights;
 }
 
-CameraParameters CentredPinhole(double focal, int width, int height) {
+CameraParameters CenterdPinhole(double focal, int width, int height) {
   CameraParameters camera;
   camera.width = width;
   camera.height = height;
@@ -315,12 +315,12 @@ void SearchAmong(const std::vector<Pair>& pairs, FocalSearchResult& result) {
 
 FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width, int height) {
   FocalSearchResult result;
-  result.camera = CentredPinhole(FocalOf(kUnknownFovDeg, width), width, height);
+  result.camera = CenterdPinhole(FocalOf(kUnknownFovDeg, width), width, height);
   result.camera.Validate();
-  const Eigen::Vector2d centre(result.camera.cx, result.camera.cy);
+  const Eigen::Vector2d center(result.camera.cx, result.camera.cy);
   std::vector<Pair> usable;
   for (const PixelMatches& matches : pairs) {
-    if (std::optional<Pair> pair = MakePair(matches, centre)) usable.push_back(std::move(*pair));
+    if (std::optional<Pair> pair = MakePair(matches, center)) usable.push_back(std::move(*pair));
   }
   result.num_pairs = static_cast<int>(usable.size());
   if (!usable.empty()) SearchAmong(usable, result);

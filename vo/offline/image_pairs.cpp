@@ -14,7 +14,7 @@ constexpr double kFar = 0.1;    // Displacement that is enough, as a share of th
 constexpr double kNear = 0.02;  // The least that tells something.
 constexpr int kMinMatches = 100;
 
-/// Gaps between two pictures that are tried: 1, 2, 3, 4, 6, 8, 12, 16, ..., 64.
+/// Gaps between two images that are tried: 1, 2, 3, 4, 6, 8, 12, 16, ..., 64.
 bool IsGap(int gap) {
   if (gap < 1 || gap > 64) return false;
   while (gap % 2 == 0) gap /= 2;
@@ -48,32 +48,32 @@ double MedianDisplacement(const PixelMatches& matches) {
 
 }  // namespace
 
-PicturePairs::PicturePairs(int num_pictures, int max_pairs) {
-  const int num_starts = std::min(num_pictures - 1, max_pairs);
+ImagePairs::ImagePairs(int num_images, int max_pairs) {
+  const int num_starts = std::min(num_images - 1, max_pairs);
   for (int i = 0; i < num_starts; ++i) {
     Start start;
-    start.picture = static_cast<int>(static_cast<long long>(i) * (num_pictures - 1) / num_starts);
+    start.image = static_cast<int>(static_cast<long long>(i) * (num_images - 1) / num_starts);
     starts_.push_back(std::move(start));
   }
 }
 
-bool PicturePairs::Needs(int i) const {
+bool ImagePairs::Needs(int i) const {
   return std::any_of(starts_.begin(), starts_.end(), [i](const Start& start) {
-    return start.picture == i || (!start.is_done && IsGap(i - start.picture));
+    return start.image == i || (!start.is_done && IsGap(i - start.image));
   });
 }
 
-void PicturePairs::Add(int i, const cv::Mat& picture, const cv::Mat& mask) {
+void ImagePairs::Add(int i, const cv::Mat& image, const cv::Mat& mask) {
   if (!Needs(i)) return;
-  const double far_px = kFar * std::hypot(picture.cols, picture.rows);
-  const Frame frame = MakeFrameOf(extractor_.Extract(picture, mask));
+  const double far_px = kFar * std::hypot(image.cols, image.rows);
+  const Frame frame = MakeFrameOf(extractor_.Extract(image, mask));
   for (Start& start : starts_) {
-    if (start.picture == i) start.frame = frame;
-    if (!start.is_done && IsGap(i - start.picture)) Match(frame, far_px, start);
+    if (start.image == i) start.frame = frame;
+    if (!start.is_done && IsGap(i - start.image)) Match(frame, far_px, start);
   }
 }
 
-void PicturePairs::Match(const Frame& frame, double far_px, Start& start) const {
+void ImagePairs::Match(const Frame& frame, double far_px, Start& start) const {
   PixelMatches matches = ToPixels(start.frame, frame, extractor_.octave_scales());
   const double displacement_px = MedianDisplacement(matches);
   const double near_px = kNear / kFar * far_px;
@@ -86,7 +86,7 @@ void PicturePairs::Match(const Frame& frame, double far_px, Start& start) const 
   }
 }
 
-std::vector<PixelMatches> PicturePairs::Get() const {
+std::vector<PixelMatches> ImagePairs::Get() const {
   std::vector<PixelMatches> pairs;
   for (const Start& start : starts_) {
     if (!start.matches.empty()) pairs.push_back(start.matches);

@@ -10,28 +10,28 @@
 
 namespace corvo {
 
-/// Matches features between pictures of a sequence, for SearchFocal: from first pictures spread
+/// Matches features between images of a sequence, for SearchFocal: from first images spread
 /// evenly over it, each with the earliest later one to which the features have moved far.
-class PicturePairs {
+class ImagePairs {
  public:
-  /// Of `num_pictures` pictures, with at most `max_pairs` first ones.
-  PicturePairs(int num_pictures, int max_pairs);
+  /// Of `num_images` images, with at most `max_pairs` first ones.
+  ImagePairs(int num_images, int max_pairs);
 
-  /// Whether picture `i` is looked at.
+  /// Whether image `i` is looked at.
   bool Needs(int i) const;
 
-  /// Takes picture `i`, 8-bit grey, all of one size; `mask` as orb::Extractor's. Pictures come in
+  /// Takes image `i`, 8-bit gray, all of one size; `mask` as orb::Extractor's. Images come in
   /// order, those that are not needed may be left out. Throws corvo::Error on a wrong type or size.
-  void Add(int i, const cv::Mat& picture, const cv::Mat& mask = cv::Mat());
+  void Add(int i, const cv::Mat& image, const cv::Mat& mask = cv::Mat());
 
-  /// Of every first picture with enough matches and motion.
+  /// Of every first image with enough matches and motion.
   std::vector<PixelMatches> Get() const;
 
  private:
   struct Start {
-    int picture = 0;
+    int image = 0;
     Frame frame;
-    PixelMatches matches;  // With the picture to which the features moved the farthest so far.
+    PixelMatches matches;        // With the image to which the features moved the farthest so far.
     double displacement_px = 0;  // Median.
     bool is_done = false;
   };

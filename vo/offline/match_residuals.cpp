@@ -15,7 +15,7 @@ void AppendResiduals(const Map& map, const Keyframe& keyframe, const MatchResidu
   const LandmarkWindow window{options.search_radius_px, options.search_radius_px, 0, 1, 1};
   const Frame& frame = keyframe.frame;
   const GuidedQueries queries =
-      ProjectLandmarks(map, map.FindSeen(around), frame.world_from_camera, window);
+      ProjectLandmarks(map, map.FindObserved(around), frame.world_from_camera, window);
   for (const orb::Match& match : MatchGuided(queries, frame, {options.max_distance})) {
     residuals.push_back((queries.pixels[match.query] - frame.pixel(match.train)).norm());
   }

@@ -27,7 +27,7 @@ class RefinedMap {
     }
   }
 
-  const std::map<LandmarkId, FinishedLandmark>& landmarks() const { return landmarks_; }
+  const std::map<LandmarkId, MarginalizedLandmark>& landmarks() const { return landmarks_; }
   int num_frames() const { return static_cast<int>(moves_.size()); }
   bool IsAdjusted(const FrameKey& frame) const { return moves_.count(frame) > 0; }
 
@@ -48,16 +48,16 @@ class RefinedMap {
   /// Of each view.
   static std::vector<int> CountInliers(const Bundle& bundle) {
     std::vector<int> num_inliers(bundle.views.size(), 0);
-    for (const Bundle::Sighting& sighting : bundle.sightings) {
-      num_inliers[sighting.view] += sighting.is_inlier;
+    for (const Bundle::Observation& observation : bundle.observations) {
+      num_inliers[observation.view] += observation.is_inlier;
     }
     return num_inliers;
   }
 
   void AddLandmarks(const Bundle& bundle, int segment) {
     std::vector<int> num_inliers(bundle.points.size(), 0);
-    for (const Bundle::Sighting& sighting : bundle.sightings) {
-      num_inliers[sighting.point] += sighting.is_inlier;
+    for (const Bundle::Observation& observation : bundle.observations) {
+      num_inliers[observation.point] += observation.is_inlier;
     }
     for (std::size_t i = 0; i < bundle.points.size(); ++i) {
       if (num_inliers[i] < 2) continue;
@@ -67,7 +67,7 @@ class RefinedMap {
   }
 
   std::map<FrameKey, Poses> moves_;
-  std::map<LandmarkId, FinishedLandmark> landmarks_;
+  std::map<LandmarkId, MarginalizedLandmark> landmarks_;
 };
 
 void SetPose(const SE3& world_from_camera, FrameResult& frame) {
@@ -76,15 +76,15 @@ void SetPose(const SE3& world_from_camera, FrameResult& frame) {
 }
 
 /// Locates a frame among refined landmarks, if enough of them agree.
-std::optional<SE3> Locate(const FrameSightings& sightings, const SE3& predicted,
+std::optional<SE3> Locate(const FrameObservations& frame, const SE3& predicted,
                           const SequenceRecord& record, const RefinedMap& refined,
                           const Camera& camera, int min_inliers) {
   std::vector<PointObservation> observations;
-  for (const LandmarkSighting& sighting : sightings.landmarks) {
-    const auto landmark = refined.landmarks().find(record.Resolve(sighting.landmark));
+  for (const Observation& observation : frame.landmarks) {
+    const auto landmark = refined.landmarks().find(record.Resolve(observation.landmark));
     if (landmark == refined.landmarks().end()) continue;
     observations.push_back(
-        {landmark->second.in_world, sighting.pixel.cast<double>(), sighting.sigma_px});
+        {landmark->second.in_world, observation.pixel.cast<double>(), observation.sigma_px});
   }
   const PoseEstimate estimate = OptimizePose(predicted, observations, camera);
   if (estimate.num_inliers < min_inliers) return std::nullopt;
@@ -93,13 +93,13 @@ std::optional<SE3> Locate(const FrameSightings& sightings, const SE3& predicted,
 
 /// Moves all posed frames with the adjusted ones, then places those that are none.
 void PlaceFrames(const SequenceRecord& record, const RefinedMap& refined, const Camera& camera,
-                 int min_inliers, const SightingsSource& sightings, Refinement& refinement) {
+                 int min_inliers, const ObservationSource& observations, Refinement& refinement) {
   for (FrameResult& frame : refinement.trajectory.frames) {
     if (!frame.world_from_camera) continue;
     refinement.num_moved += !refined.IsAdjusted({frame.segment, frame.index});
     SetPose(refined.Move(frame), frame);
   }
-  sightings([&](const FrameSightings& seen) {
+  observations([&](const FrameObservations& seen) {
     FrameResult& frame = refinement.trajectory.frames[seen.frame];
     if (seen.keyframe != kNoId || refined.IsAdjusted(KeyOf(seen))) return;
     const auto located =
@@ -115,24 +115,24 @@ void PlaceFrames(const SequenceRecord& record, const RefinedMap& refined, const 
 
 CameraPrior PriorOf(const Odometry& odometry) {
   CameraPrior prior = odometry.camera_prior();
-  if (odometry.contradicts_given_camera()) prior.free.clear();
+  if (odometry.prior_rejected()) prior.free.clear();
   return prior;
 }
 
-Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
+Refinement Refine(const Odometry& odometry, const ObservationSource& observations,
                   const RefinerOptions& options, const AdjustmentProgress& progress) {
-  const SequenceRecord record(odometry, sightings, options.sequence);
+  const SequenceRecord record(odometry, observations, options.sequence);
   std::vector<Bundle> bundles = record.MakeBundles();
   Refinement refinement;
   refinement.trajectory = odometry.GetTrajectory();
   refinement.adjustment = AdjustFully(PriorOf(odometry), odometry.camera().parameters(),
                                       options.adjustment, bundles, progress);
-  if (refinement.adjustment.outcome != AdjustmentOutcome::kLowered) return refinement;
+  if (refinement.adjustment.outcome != AdjustmentOutcome::kImproved) return refinement;
   const int min_inliers = odometry.options().tracker.min_inliers;
   const RefinedMap refined(record, bundles, min_inliers);
   refinement.num_adjusted = refined.num_frames();
   for (const auto& [id, landmark] : refined.landmarks()) refinement.landmarks.push_back(landmark);
-  PlaceFrames(record, refined, Camera(refinement.adjustment.camera), min_inliers, sightings,
+  PlaceFrames(record, refined, Camera(refinement.adjustment.camera), min_inliers, observations,
               refinement);
   return refinement;
 }

@@ -19,12 +19,12 @@ struct RefinerOptions {
 
 /// A sequence adjusted as a whole.
 struct Refinement {
-  FullAdjustment adjustment;  ///< kLowered: the rest is refined. Otherwise it is as it was.
+  FullAdjustment adjustment;  ///< kImproved: the rest is refined. Otherwise it is as it was.
   Trajectory trajectory;
-  std::vector<FinishedLandmark> landmarks;  ///< Inliers of at least two adjusted frames.
-  int num_adjusted = 0;                     ///< Keyframes, and frames between them.
-  int num_placed = 0;                       ///< Other posed frames that were placed again ...
-  int num_moved = 0;                        ///< ... or moved with the adjusted frame before.
+  std::vector<MarginalizedLandmark> landmarks;  ///< Inliers of at least two adjusted frames.
+  int num_adjusted = 0;                         ///< Keyframes, and frames between them.
+  int num_placed = 0;                           ///< Other posed frames that were placed again ...
+  int num_moved = 0;                            ///< ... or moved with the adjusted frame before.
 };
 
 /// Adjusts all keyframes, some of the frames between them, and the landmarks of a finished sequence
@@ -33,9 +33,9 @@ struct Refinement {
 /// that the odometry takes as exact stays. Then every other posed frame is placed again, see
 /// OptimizePose; where too few landmarks agree it moves with the adjusted frame before it. Frames
 /// without a pose stay as they are. The size of the adjustment grows with the number of keyframes
-/// alone. `sightings` gives what the odometry gave to its sink, as often as it is asked.
+/// alone. `observations` gives what the odometry gave to its sink, as often as it is asked.
 /// Deterministic.
-Refinement Refine(const Odometry& odometry, const SightingsSource& sightings,
+Refinement Refine(const Odometry& odometry, const ObservationSource& observations,
                   const RefinerOptions& options = {}, const AdjustmentProgress& progress = {});
 
 /// How sure an odometry's camera is: nothing is free where it is taken as it was given.

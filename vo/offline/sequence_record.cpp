@@ -20,36 +20,36 @@ std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_coun
 
 /// What a view of a bundle saw.
 struct Entry {
-  LandmarkSighting sighting;
+  Observation observation;
   int view;
 };
 
-/// Adds the points and sightings of a bundle that has its views.
+/// Adds the points and observations of a bundle that has its views.
 void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
                std::vector<Entry> entries, Bundle& bundle) {
-  const auto key = [](const Entry& e) { return std::pair(e.sighting.landmark, e.view); };
+  const auto key = [](const Entry& e) { return std::pair(e.observation.landmark, e.view); };
   std::stable_sort(entries.begin(), entries.end(),
                    [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
   const SE3 local_from_world = bundle.world_from_local.Inverse();
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto& [sighting, view] = entries[i];
+    const auto& [observation, view] = entries[i];
     if (i > 0 && key(entries[i]) == key(entries[i - 1])) continue;  // Of merged landmarks.
-    if (bundle.points.empty() || bundle.points.back().landmark != sighting.landmark) {
+    if (bundle.points.empty() || bundle.points.back().landmark != observation.landmark) {
       bundle.points.push_back(
-          {sighting.landmark, local_from_world * in_world.at(sighting.landmark)});
+          {observation.landmark, local_from_world * in_world.at(observation.landmark)});
     }
-    bundle.sightings.push_back({view, static_cast<int>(bundle.points.size()) - 1, kNoId,
-                                sighting.pixel.cast<double>(), sighting.sigma_px});
+    bundle.observations.push_back({view, static_cast<int>(bundle.points.size()) - 1, kNoId,
+                                   observation.pixel.cast<double>(), observation.sigma_px});
   }
 }
 
 }  // namespace
 
-SequenceRecord::SequenceRecord(const Odometry& odometry, const SightingsSource& sightings,
+SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationSource& observations,
                                const SequenceOptions& options)
     : options_(options) {
   std::set<FrameKey> others;
-  const auto keep = [&](const FrameSightings& seen) {
+  const auto keep = [&](const FrameObservations& seen) {
     for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
     if (seen.keyframe == kNoId) {
       others.insert(KeyOf(seen));
@@ -57,12 +57,12 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const SightingsSource& 
       AddKeyframe(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
     }
   };
-  sightings(keep);
+  observations(keep);
   odometry.VisitKeyframes(keep);
   KeepLandmarks();
   const std::set<FrameKey> chosen = ChooseBetween(others);
   const Trajectory trajectory = odometry.GetTrajectory();
-  sightings([&](const FrameSightings& seen) {
+  observations([&](const FrameObservations& seen) {
     if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
     frames_[KeyOf(seen)] = {KnownOf(seen), *trajectory.frames[seen.frame].world_from_camera};
   });
@@ -76,10 +76,10 @@ LandmarkId SequenceRecord::Resolve(LandmarkId id) const {
   return id;
 }
 
-void SequenceRecord::AddKeyframe(const FrameSightings& seen, const SE3& world_from_camera) {
+void SequenceRecord::AddKeyframe(const FrameObservations& seen, const SE3& world_from_camera) {
   AdjustedFrame& frame = frames_[KeyOf(seen)];
   frame.world_from_camera = world_from_camera;
-  FrameSightings& all = frame.seen;
+  FrameObservations& all = frame.seen;
   all.frame = seen.frame;
   all.segment = seen.segment;
   all.keyframe = seen.keyframe;
@@ -118,11 +118,11 @@ std::set<FrameKey> SequenceRecord::ChooseBetween(const std::set<FrameKey>& other
   return chosen;
 }
 
-FrameSightings SequenceRecord::KnownOf(const FrameSightings& seen) const {
-  FrameSightings known{seen.frame, seen.segment, seen.keyframe, {}, {}, {}};
-  for (LandmarkSighting sighting : seen.landmarks) {
-    sighting.landmark = Resolve(sighting.landmark);
-    if (in_world_.count(sighting.landmark) > 0) known.landmarks.push_back(sighting);
+FrameObservations SequenceRecord::KnownOf(const FrameObservations& seen) const {
+  FrameObservations known{seen.frame, seen.segment, seen.keyframe, {}, {}, {}};
+  for (Observation observation : seen.landmarks) {
+    observation.landmark = Resolve(observation.landmark);
+    if (in_world_.count(observation.landmark) > 0) known.landmarks.push_back(observation);
   }
   return known;
 }
@@ -136,8 +136,8 @@ std::vector<Bundle> SequenceRecord::MakeBundles() const {
     const int view = static_cast<int>(bundle.views.size());
     bundle.views.push_back({frame.seen.keyframe, false,
                             (bundle.world_from_local.Inverse() * frame.world_from_camera).data()});
-    for (const LandmarkSighting& sighting : frame.seen.landmarks) {
-      entries[frame.seen.segment].push_back({sighting, view});
+    for (const Observation& observation : frame.seen.landmarks) {
+      entries[frame.seen.segment].push_back({observation, view});
     }
   }
   std::vector<Bundle> thinned;

@@ -24,11 +24,11 @@ struct SequenceOptions {
 /// Segment and index of a frame: the frame before one segment's first may be another's last.
 using FrameKey = std::pair<int, int>;
 
-inline FrameKey KeyOf(const FrameSightings& frame) { return {frame.segment, frame.frame}; }
+inline FrameKey KeyOf(const FrameObservations& frame) { return {frame.segment, frame.frame}; }
 
 /// A frame to be adjusted: what it saw and where it was.
 struct AdjustedFrame {
-  FrameSightings seen;
+  FrameObservations seen;
   SE3 world_from_camera;
 };
 
@@ -36,8 +36,8 @@ struct AdjustedFrame {
 /// and some between them. Landmarks have their last names.
 class SequenceRecord {
  public:
-  /// `sightings` gives what the odometry gave to its sink, as often as it is asked.
-  SequenceRecord(const Odometry& odometry, const SightingsSource& sightings,
+  /// `observations` gives what the odometry gave to its sink, as often as it is asked.
+  SequenceRecord(const Odometry& odometry, const ObservationSource& observations,
                  const SequenceOptions& options);
 
   /// The landmark that it is part of in the end.
@@ -50,12 +50,12 @@ class SequenceRecord {
 
  private:
   /// Adds what a keyframe saw, or some of it.
-  void AddKeyframe(const FrameSightings& seen, const SE3& world_from_camera);
+  void AddKeyframe(const FrameObservations& seen, const SE3& world_from_camera);
   void KeepLandmarks();
   /// Of the frames that are no keyframes, some between each keyframe and the next.
   std::set<FrameKey> ChooseBetween(const std::set<FrameKey>& others) const;
   /// What a frame saw of the keyframes' landmarks.
-  FrameSightings KnownOf(const FrameSightings& seen) const;
+  FrameObservations KnownOf(const FrameObservations& seen) const;
 
   SequenceOptions options_;
   std::map<FrameKey, AdjustedFrame> frames_;

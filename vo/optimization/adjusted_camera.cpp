@@ -10,10 +10,10 @@
 namespace corvo {
 namespace {
 
-class SightingCost : public ceres::CostFunction {
+class CalibrationCost : public ceres::CostFunction {
  public:
-  SightingCost(const AdjustedCamera& adjusted, const Bundle::Sighting& sighting)
-      : adjusted_(adjusted), pixel_(sighting.pixel), sigma_px_(sighting.sigma_px) {
+  CalibrationCost(const AdjustedCamera& adjusted, const Bundle::Observation& observation)
+      : adjusted_(adjusted), pixel_(observation.pixel), sigma_px_(observation.sigma_px) {
     set_num_residuals(2);
     *mutable_parameter_block_sizes() = {7, 3};
     if (adjusted.num_free() > 0) mutable_parameter_block_sizes()->push_back(adjusted.num_free());
@@ -68,9 +68,9 @@ void AdjustedCamera::PrepareForEvaluation(bool /*evaluate_jacobians*/, bool new_
   }
 }
 
-ceres::CostFunction* MakeSightingCost(const AdjustedCamera& adjusted,
-                                      const Bundle::Sighting& sighting) {
-  return new SightingCost(adjusted, sighting);
+ceres::CostFunction* MakeReprojectionCost(const AdjustedCamera& adjusted,
+                                          const Bundle::Observation& observation) {
+  return new CalibrationCost(adjusted, observation);
 }
 
 ceres::CostFunction* MakePriorCost(const CameraPrior& prior) {

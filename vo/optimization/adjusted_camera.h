@@ -12,7 +12,7 @@
 
 namespace corvo {
 
-/// Of a sighting that does not project, in units of sigma.
+/// Of a observation that does not project, in units of sigma.
 inline constexpr double kUnseenError = 1e3;
 
 /// A camera among the unknowns of a least-squares problem: made anew from its difference, see
@@ -37,8 +37,8 @@ class AdjustedCamera : public ceres::EvaluationCallback {
 /// ReprojectionCost whose third parameter, where anything of the camera is free, is its difference.
 /// A point that does not project has the error (kUnseenError, 0), and no derivative. `adjusted` has
 /// to outlive it.
-ceres::CostFunction* MakeSightingCost(const AdjustedCamera& adjusted,
-                                      const Bundle::Sighting& sighting);
+ceres::CostFunction* MakeReprojectionCost(const AdjustedCamera& adjusted,
+                                          const Bundle::Observation& observation);
 
 /// d / sigma, one residual a free parameter.
 ceres::CostFunction* MakePriorCost(const CameraPrior& prior);

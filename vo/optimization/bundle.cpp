@@ -13,11 +13,11 @@ namespace {
 std::vector<Bundle::View> CopyViews(const Map& map, const AdjustmentWindow& window,
                                     const SE3& local_from_world) {
   std::vector<Bundle::View> views;
-  const auto copy = [&](KeyframeId id, bool is_held) {
-    views.push_back({id, is_held, (local_from_world * map.WorldFromKeyframe(id)).data()});
+  const auto copy = [&](KeyframeId id, bool is_fixed) {
+    views.push_back({id, is_fixed, (local_from_world * map.WorldFromKeyframe(id)).data()});
   };
-  for (const KeyframeId id : window.moving) copy(id, false);
-  for (const KeyframeId id : window.held) copy(id, true);
+  for (const KeyframeId id : window.free) copy(id, false);
+  for (const KeyframeId id : window.fixed) copy(id, true);
   std::sort(views.begin(), views.end(),
             [](const auto& a, const auto& b) { return a.keyframe < b.keyframe; });
   return views;
@@ -36,12 +36,12 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world, Bu
   const Landmark& landmark = *map.FindLandmark(id);
   const int point = static_cast<int>(bundle.points.size());
   bundle.points.push_back({id, local_from_world * landmark.in_world});
-  for (const Observation& observation : landmark.observations) {
+  for (const TrackElement& observation : landmark.track) {
     const int view = FindView(bundle.views, observation.keyframe);
     if (view == kNoId) continue;
     const Frame& frame = map.keyframe(observation.keyframe).frame;
     const int k = observation.keypoint;
-    bundle.sightings.push_back({view, point, k, frame.pixel(k), map.model().Sigma(frame, k)});
+    bundle.observations.push_back({view, point, k, frame.pixel(k), map.model().Sigma(frame, k)});
   }
 }
 
@@ -53,13 +53,13 @@ std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
   }
   const std::vector<SE3> after = CamerasFromLocal(bundle);
   std::vector<std::vector<double>> ratios(bundle.views.size());
-  for (const Bundle::Sighting& sighting : bundle.sightings) {
-    const Bundle::Point& point = bundle.points[sighting.point];
+  for (const Bundle::Observation& observation : bundle.observations) {
+    const Bundle::Point& point = bundle.points[observation.point];
     const Landmark* landmark = map.FindLandmark(point.landmark);
-    if (landmark == nullptr || !sighting.is_inlier) continue;
-    const double old_depth = (before[sighting.view] * landmark->in_world).z();
-    const double new_depth = (after[sighting.view] * point.in_local).z();
-    if (old_depth > 0 && new_depth > 0) ratios[sighting.view].push_back(new_depth / old_depth);
+    if (landmark == nullptr || !observation.is_inlier) continue;
+    const double old_depth = (before[observation.view] * landmark->in_world).z();
+    const double new_depth = (after[observation.view] * point.in_local).z();
+    if (old_depth > 0 && new_depth > 0) ratios[observation.view].push_back(new_depth / old_depth);
   }
   std::vector<Sim3> moves;
   for (std::size_t view = 0; view < bundle.views.size(); ++view) {
@@ -70,11 +70,11 @@ std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
   return moves;
 }
 
-/// The newest view that is not held among the observations of a landmark; kNoId if there is none.
+/// The newest view that is not fixed among the observations of a landmark; kNoId if there is none.
 int NewestMovingView(const Bundle& bundle, const Landmark& landmark) {
-  for (auto o = landmark.observations.rbegin(); o != landmark.observations.rend(); ++o) {
+  for (auto o = landmark.track.rbegin(); o != landmark.track.rend(); ++o) {
     const int view = FindView(bundle.views, o->keyframe);
-    if (view != kNoId && !bundle.views[view].is_held) return view;
+    if (view != kNoId && !bundle.views[view].is_fixed) return view;
   }
   return kNoId;
 }
@@ -87,33 +87,33 @@ bool IsInBundle(const Bundle& bundle, LandmarkId id) {
 }
 
 /// Moves what the bundle leaves out.
-void TakeAlong(const Bundle& bundle, Map& map) {
+void PropagateCorrection(const Bundle& bundle, Map& map) {
   int newest = kNoId;
-  std::vector<KeyframeId> moving;
+  std::vector<KeyframeId> free;
   for (int view = 0; view < static_cast<int>(bundle.views.size()); ++view) {
-    if (bundle.views[view].is_held || !map.IsActive(bundle.views[view].keyframe)) continue;
+    if (bundle.views[view].is_fixed || !map.IsActive(bundle.views[view].keyframe)) continue;
     newest = view;
-    moving.push_back(bundle.views[view].keyframe);
+    free.push_back(bundle.views[view].keyframe);
   }
   if (newest == kNoId) return;
   const std::vector<Sim3> moves = FindMoves(bundle, map);
   const KeyframeId last = bundle.views[newest].keyframe;
   for (const KeyframeId id : map.ActiveKeyframes()) {
     if (id <= last || map.SegmentOf(id) != map.SegmentOf(last)) continue;
-    moving.push_back(id);
+    free.push_back(id);
     map.SetPose(id, TransformPose(moves[newest], map.WorldFromKeyframe(id)));
   }
-  for (const LandmarkId id : map.FindSeen(moving)) {
+  for (const LandmarkId id : map.FindObserved(free)) {
     if (IsInBundle(bundle, id)) continue;
     const Landmark& landmark = *map.FindLandmark(id);
     int view = NewestMovingView(bundle, landmark);
-    if (view == kNoId && landmark.observations.front().keyframe > last) view = newest;
+    if (view == kNoId && landmark.track.front().keyframe > last) view = newest;
     if (view != kNoId) map.SetPosition(id, moves[view] * landmark.in_world);
   }
 }
 
 /// Whether the map still has it.
-bool HasObservation(const Map& map, LandmarkId landmark, const Observation& observation) {
+bool HasTrackElement(const Map& map, LandmarkId landmark, const TrackElement& observation) {
   return map.FindLandmark(landmark) != nullptr && map.IsActive(observation.keyframe) &&
          map.keyframe(observation.keyframe).frame.landmarks[observation.keypoint] == landmark;
 }
@@ -126,17 +126,18 @@ std::vector<SE3> CamerasFromLocal(const Bundle& bundle) {
   return poses;
 }
 
-std::vector<int> SightingOffsets(const Bundle& bundle) {
+std::vector<int> ObservationOffsets(const Bundle& bundle) {
   std::vector<int> offsets(bundle.points.size() + 1, 0);
-  for (const Bundle::Sighting& sighting : bundle.sightings) ++offsets[sighting.point + 1];
+  for (const Bundle::Observation& observation : bundle.observations)
+    ++offsets[observation.point + 1];
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   return offsets;
 }
 
 Bundle CopyBundle(const Map& map, const AdjustmentWindow& window) {
   Bundle bundle;
-  KeyframeId oldest = window.moving.front();
-  if (!window.held.empty()) oldest = std::min(oldest, window.held.front());
+  KeyframeId oldest = window.free.front();
+  if (!window.fixed.empty()) oldest = std::min(oldest, window.fixed.front());
   bundle.world_from_local = map.WorldFromKeyframe(oldest);
   const SE3 local_from_world = bundle.world_from_local.Inverse();
   bundle.views = CopyViews(map, window, local_from_world);
@@ -149,31 +150,31 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window) {
 
 void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle) {
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
-  for (Bundle::Sighting& sighting : bundle.sightings) {
-    const PointObservation observation{bundle.points[sighting.point].in_local, sighting.pixel,
-                                       sighting.sigma_px};
-    sighting.is_inlier =
-        SquaredError(observation, camera_from_local[sighting.view], camera) <= max_squared_error;
+  for (Bundle::Observation& observation : bundle.observations) {
+    const PointObservation point{bundle.points[observation.point].in_local, observation.pixel,
+                                 observation.sigma_px};
+    observation.is_inlier =
+        SquaredError(point, camera_from_local[observation.view], camera) <= max_squared_error;
   }
 }
 
-std::vector<Observation> WriteBack(const Bundle& bundle, Map& map) {
-  TakeAlong(bundle, map);
+std::vector<TrackElement> WriteBack(const Bundle& bundle, Map& map) {
+  PropagateCorrection(bundle, map);
   for (const Bundle::View& view : bundle.views) {
-    if (view.is_held || !map.IsActive(view.keyframe)) continue;
+    if (view.is_fixed || !map.IsActive(view.keyframe)) continue;
     map.SetPose(view.keyframe, bundle.world_from_local * view.Pose());
   }
   for (const Bundle::Point& point : bundle.points) {
     if (map.FindLandmark(point.landmark) == nullptr) continue;
     map.SetPosition(point.landmark, bundle.world_from_local * point.in_local);
   }
-  std::vector<Observation> outliers;
-  for (const Bundle::Sighting& sighting : bundle.sightings) {
-    if (sighting.is_inlier) continue;
-    const Observation outlier{bundle.views[sighting.view].keyframe, sighting.keypoint};
-    const LandmarkId landmark = bundle.points[sighting.point].landmark;
+  std::vector<TrackElement> outliers;
+  for (const Bundle::Observation& observation : bundle.observations) {
+    if (observation.is_inlier) continue;
+    const TrackElement outlier{bundle.views[observation.view].keyframe, observation.keypoint};
+    const LandmarkId landmark = bundle.points[observation.point].landmark;
     outliers.push_back(outlier);
-    if (HasObservation(map, landmark, outlier)) map.RemoveObservation(landmark, outlier.keyframe);
+    if (HasTrackElement(map, landmark, outlier)) map.RemoveTrackElement(landmark, outlier.keyframe);
   }
   return outliers;
 }

@@ -11,10 +11,10 @@ namespace corvo {
 
 /// Which keyframes a windowed adjustment moves and which it holds.
 struct AdjustmentWindow {
-  std::vector<KeyframeId> moving;  ///< Ascending.
+  std::vector<KeyframeId> free;  ///< Ascending.
   std::vector<KeyframeId>
-      held;  ///< See landmarks of the moving ones; hold pose and scale. Ascending.
-  std::vector<LandmarkId> landmarks;  ///< Seen by a moving keyframe. Ascending.
+      fixed;  ///< See landmarks of the free ones; hold pose and scale. Ascending.
+  std::vector<LandmarkId> landmarks;  ///< Seen by a free keyframe. Ascending.
 };
 
 /// A window's own copy of poses, points and observations, in the frame of its oldest keyframe: what
@@ -22,7 +22,7 @@ struct AdjustmentWindow {
 struct Bundle {
   struct View {
     KeyframeId keyframe = kNoId;
-    bool is_held = false;
+    bool is_fixed = false;
     SE3::Data local_from_camera;
 
     SE3 Pose() const { return SE3::FromData(local_from_camera.data()); }
@@ -31,7 +31,7 @@ struct Bundle {
     LandmarkId landmark = kNoId;
     Eigen::Vector3d in_local;
   };
-  struct Sighting {
+  struct Observation {
     int view = 0;   ///< Index in `views`.
     int point = 0;  ///< Index in `points`.
     int keypoint = kNoId;
@@ -41,29 +41,29 @@ struct Bundle {
   };
 
   SE3 world_from_local;
-  std::vector<View> views;          ///< In ascending keyframe.
-  std::vector<Point> points;        ///< In ascending landmark.
-  std::vector<Sighting> sightings;  ///< Point by point.
+  std::vector<View> views;                ///< In ascending keyframe.
+  std::vector<Point> points;              ///< In ascending landmark.
+  std::vector<Observation> observations;  ///< Point by point.
 };
 
 /// camera_from_local of each view.
 std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
 
-/// The sightings of point p are those from [p] to [p + 1] - 1: one entry more than there are
+/// The observations of point p are those from [p] to [p + 1] - 1: one entry more than there are
 /// points.
-std::vector<int> SightingOffsets(const Bundle& bundle);
+std::vector<int> ObservationOffsets(const Bundle& bundle);
 
 Bundle CopyBundle(const Map& map, const AdjustmentWindow& window);
 
-/// Marks as outliers the sightings over a squared error, in units of sigma², and no others.
+/// Marks as outliers the observations over a squared error, in units of sigma², and no others.
 void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle);
 
 /// Gives the map the poses and positions of a bundle and removes the observations that are
 /// outliers, which it returns. Keyframes and landmarks that have left meanwhile stay as they are.
 /// What the bundle leaves out goes along: newer keyframes of its segment with its newest view that
-/// is not held, a landmark with the newest such view that sees it or, if only newer keyframes do,
+/// is not fixed, a landmark with the newest such view that sees it or, if only newer keyframes do,
 /// with the newest of all. A view takes along by the similarity of its own move and the median
 /// ratio of the depths that it sees.
-std::vector<Observation> WriteBack(const Bundle& bundle, Map& map);
+std::vector<TrackElement> WriteBack(const Bundle& bundle, Map& map);
 
 }  // namespace corvo

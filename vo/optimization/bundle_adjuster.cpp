@@ -21,11 +21,11 @@ ceres::Solver::Summary Solve(const Camera& camera, const BundleAdjusterOptions& 
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
-  for (const Bundle::Sighting& sighting : bundle.sightings) {
-    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
-    problem.AddResidualBlock(new ReprojectionCost(camera, sighting.pixel, sighting.sigma_px),
-                             &huber, bundle.views[sighting.view].local_from_camera.data(),
-                             bundle.points[sighting.point].in_local.data());
+  for (const Bundle::Observation& observation : bundle.observations) {
+    if (!observation.is_inlier || !is_selected[observation.point]) continue;
+    problem.AddResidualBlock(new ReprojectionCost(camera, observation.pixel, observation.sigma_px),
+                             &huber, bundle.views[observation.view].local_from_camera.data(),
+                             bundle.points[observation.point].in_local.data());
   }
   FixGauge(bundle, problem);
   ceres::Solver::Summary summary;
@@ -33,20 +33,20 @@ ceres::Solver::Summary Solve(const Camera& camera, const BundleAdjusterOptions& 
   return summary;
 }
 
-/// With the landmarks that the moving keyframes see, and the others that hold them.
-AdjustmentWindow CompleteWindow(const Map& map, const std::set<KeyframeId>& moving,
+/// With the landmarks that the free keyframes see, and the others that hold them.
+AdjustmentWindow CompleteWindow(const Map& map, const std::set<KeyframeId>& free,
                                 int min_shared_landmarks) {
   AdjustmentWindow window;
-  window.moving.assign(moving.begin(), moving.end());
-  window.landmarks = map.FindSeen(window.moving);
+  window.free.assign(free.begin(), free.end());
+  window.landmarks = map.FindObserved(window.free);
   std::map<KeyframeId, int> num_seen;
   for (const LandmarkId id : window.landmarks) {
-    for (const Observation& o : map.FindLandmark(id)->observations) {
-      if (moving.count(o.keyframe) == 0) ++num_seen[o.keyframe];
+    for (const TrackElement& o : map.FindLandmark(id)->track) {
+      if (free.count(o.keyframe) == 0) ++num_seen[o.keyframe];
     }
   }
   for (const auto& [id, count] : num_seen) {
-    if (count >= min_shared_landmarks) window.held.push_back(id);
+    if (count >= min_shared_landmarks) window.fixed.push_back(id);
   }
   return window;
 }
@@ -55,24 +55,24 @@ AdjustmentWindow CompleteWindow(const Map& map, const std::set<KeyframeId>& movi
 
 AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
                               const BundleAdjusterOptions& options) {
-  std::set<KeyframeId> moving{newest};
+  std::set<KeyframeId> free{newest};
   for (const Covisible& covisible : map.FindCovisible(newest, options.min_shared_landmarks)) {
-    if (static_cast<int>(moving.size()) == options.max_keyframes) break;
-    moving.insert(covisible.keyframe);
+    if (static_cast<int>(free.size()) == options.max_keyframes) break;
+    free.insert(covisible.keyframe);
   }
-  return CompleteWindow(map, moving, options.min_shared_landmarks);
+  return CompleteWindow(map, free, options.min_shared_landmarks);
 }
 
 AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
                                        const BundleAdjusterOptions& options) {
-  std::set<KeyframeId> moving;
+  std::set<KeyframeId> free;
   const std::vector<KeyframeId> kept = map.ActiveKeyframes();
   for (auto id = kept.rbegin(); id != kept.rend(); ++id) {
     if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
-    moving.insert(*id);
-    if (static_cast<int>(moving.size()) == max_keyframes) break;
+    free.insert(*id);
+    if (static_cast<int>(free.size()) == max_keyframes) break;
   }
-  return CompleteWindow(map, moving, options.min_shared_landmarks);
+  return CompleteWindow(map, free, options.min_shared_landmarks);
 }
 
 AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions& options,

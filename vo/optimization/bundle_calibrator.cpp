@@ -20,7 +20,7 @@ namespace {
 /// Fewer of each keyframe, the more there are: however many, an estimate takes about the same time.
 int PointsPerKeyframe(const Bundle& bundle, const CalibrationOptions& options) {
   const auto num_moving = std::count_if(bundle.views.begin(), bundle.views.end(),
-                                        [](const Bundle::View& view) { return !view.is_held; });
+                                        [](const Bundle::View& view) { return !view.is_fixed; });
   const int share = options.max_points / std::max(1, static_cast<int>(num_moving));
   return std::min(options.points_per_keyframe, share);
 }
@@ -33,11 +33,11 @@ bool Solve(const CameraPrior& prior, const CalibrationOptions& options,
   problem_options.evaluation_callback = &adjusted;
   ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
-  for (const Bundle::Sighting& sighting : bundle.sightings) {
-    if (!sighting.is_inlier || !is_selected[sighting.point]) continue;
-    problem.AddResidualBlock(MakeSightingCost(adjusted, sighting), &huber,
-                             bundle.views[sighting.view].local_from_camera.data(),
-                             bundle.points[sighting.point].in_local.data(), difference.data());
+  for (const Bundle::Observation& observation : bundle.observations) {
+    if (!observation.is_inlier || !is_selected[observation.point]) continue;
+    problem.AddResidualBlock(MakeReprojectionCost(adjusted, observation), &huber,
+                             bundle.views[observation.view].local_from_camera.data(),
+                             bundle.points[observation.point].in_local.data(), difference.data());
   }
   problem.AddResidualBlock(MakePriorCost(prior), nullptr, difference.data());
   FixGauge(bundle, problem);
@@ -49,8 +49,8 @@ bool Solve(const CameraPrior& prior, const CalibrationOptions& options,
 /// By the selected points alone.
 Eigen::MatrixXd Covariance(const CameraPrior& prior, const Eigen::VectorXd& difference,
                            const std::vector<char>& is_selected, Bundle bundle) {
-  for (Bundle::Sighting& sighting : bundle.sightings) {
-    sighting.is_inlier = sighting.is_inlier && is_selected[sighting.point];
+  for (Bundle::Observation& observation : bundle.observations) {
+    observation.is_inlier = observation.is_inlier && is_selected[observation.point];
   }
   return CameraCovariance(prior, difference, {std::move(bundle)});
 }
@@ -61,7 +61,7 @@ std::optional<CameraEstimate> CalibrateBundle(const CameraPrior& prior,
                                               const Eigen::VectorXd& start,
                                               const CalibrationOptions& options, Bundle& bundle) {
   const double gross_error = options.gross_error_sigmas * options.gross_error_sigmas;
-  const CameraPrior beside = prior.Beside(options.information_factor);
+  const CameraPrior beside = prior.Inflated(options.information_factor);
   const Bundle before = bundle;
   CameraEstimate estimate{start, {}};
   MarkOutliers(Camera(prior.Apply(start)), gross_error, bundle);

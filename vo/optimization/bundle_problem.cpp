@@ -26,16 +26,16 @@ double* FarthestPose(Bundle& bundle, const ceres::Problem& problem) {
 }  // namespace
 
 void FixGauge(Bundle& bundle, ceres::Problem& problem) {
-  const auto num_held = std::count_if(bundle.views.begin(), bundle.views.end(),
-                                      [](const Bundle::View& view) { return view.is_held; });
+  const auto num_fixed = std::count_if(bundle.views.begin(), bundle.views.end(),
+                                       [](const Bundle::View& view) { return view.is_fixed; });
   for (Bundle::View& view : bundle.views) {
     double* pose = view.local_from_camera.data();
     if (!problem.HasParameterBlock(pose)) continue;
     problem.SetManifold(pose, new SE3Manifold);
     const bool is_oldest = &view == &bundle.views.front();
-    if (view.is_held || (num_held < 2 && is_oldest)) problem.SetParameterBlockConstant(pose);
+    if (view.is_fixed || (num_fixed < 2 && is_oldest)) problem.SetParameterBlockConstant(pose);
   }
-  const bool scale_is_free = num_held == 0 || (num_held == 1 && bundle.views.front().is_held);
+  const bool scale_is_free = num_fixed == 0 || (num_fixed == 1 && bundle.views.front().is_fixed);
   double* farthest = scale_is_free ? FarthestPose(bundle, problem) : nullptr;
   if (farthest == nullptr) return;
   problem.SetManifold(

@@ -7,7 +7,7 @@
 
 namespace corvo {
 
-/// Gives the poses their manifold and holds what fixes the gauge: the held views, or else the
+/// Gives the poses their manifold and holds what fixes the gauge: the fixed views, or else the
 /// oldest one and the farthest one's distance from it.
 void FixGauge(Bundle& bundle, ceres::Problem& problem);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Derivatives of a sighting's error, in units of sigma.
+/// Derivatives of a observation's error, in units of sigma.
 struct Linearized {
   int view;
   Eigen::Matrix<double, 2, 6> by_pose;
@@ -26,17 +26,17 @@ struct Linearized {
 
 std::optional<Linearized> Linearize(const DifferentiableCamera& adjusted,
                                     const SE3& camera_from_local, const Eigen::Vector3d& in_local,
-                                    const Bundle::Sighting& sighting) {
+                                    const Bundle::Observation& observation) {
   const Eigen::Vector3d in_camera = camera_from_local * in_local;
   Camera::Jacobian by_camera_point;
   const auto pixel = adjusted.camera().Project(in_camera, &by_camera_point);
   if (!pixel) return std::nullopt;
-  by_camera_point /= sighting.sigma_px;
+  by_camera_point /= observation.sigma_px;
   Linearized linearized;
-  linearized.view = sighting.view;
+  linearized.view = observation.view;
   linearized.by_pose << -by_camera_point, by_camera_point * SO3::Hat(in_camera);
   linearized.by_point = by_camera_point * camera_from_local.rotation().matrix();
-  linearized.by_camera = adjusted.PixelByDifference(in_camera, *pixel) / sighting.sigma_px;
+  linearized.by_camera = adjusted.PixelByDifference(in_camera, *pixel) / observation.sigma_px;
   return linearized;
 }
 
@@ -48,20 +48,20 @@ class ReducedInformation {
       : pose_camera_(Eigen::MatrixXd::Zero(6 * num_views, num_free)),
         camera_(Eigen::MatrixXd::Zero(num_free, num_free)) {}
 
-  /// The sightings of one point.
-  void AddPoint(const std::vector<Linearized>& sightings) {
+  /// The observations of one point.
+  void AddPoint(const std::vector<Linearized>& observations) {
     Eigen::Matrix3d point = Eigen::Matrix3d::Zero();
     Eigen::MatrixXd camera_point = Eigen::MatrixXd::Zero(camera_.rows(), 3);
-    for (const Linearized& s : sightings) {
+    for (const Linearized& s : observations) {
       point += s.by_point.transpose() * s.by_point;
       camera_point += s.by_camera.transpose() * s.by_point;
     }
     if (point.determinant() < 1e-12) return;
     const Eigen::Matrix3d covariance = point.inverse();
-    for (const Linearized& a : sightings) {
+    for (const Linearized& a : observations) {
       const Eigen::Matrix<double, 6, 3> gain = a.by_pose.transpose() * a.by_point * covariance;
       Block(a.view, a.view) += a.by_pose.transpose() * a.by_pose;
-      for (const Linearized& b : sightings) {
+      for (const Linearized& b : observations) {
         if (b.view <= a.view) {
           Block(a.view, b.view) -= gain * (b.by_point.transpose() * b.by_pose);
         }
@@ -75,10 +75,10 @@ class ReducedInformation {
 
   /// Information about the camera alone.
   Eigen::MatrixXd MarginalizePoses(const std::vector<Bundle::View>& views) {
-    constexpr double kHeld = 1e12, kGauge = 1e-3;
+    constexpr double kFixed = 1e12, kGauge = 1e-3;
     for (int view = 0; view < static_cast<int>(views.size()); ++view) {
-      const bool is_known = views[view].is_held || view == 0;
-      Block(view, view).diagonal().array() += is_known ? kHeld : kGauge;
+      const bool is_known = views[view].is_fixed || view == 0;
+      Block(view, view).diagonal().array() += is_known ? kFixed : kGauge;
     }
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> poses(PoseMatrix());
     return camera_ - pose_camera_.transpose() * poses.solve(pose_camera_);
@@ -113,15 +113,15 @@ Eigen::MatrixXd InformationOf(const Bundle& bundle, const DifferentiableCamera& 
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
   ReducedInformation information(static_cast<int>(bundle.views.size()), num_free);
   std::vector<Linearized> of_point;
-  for (std::size_t i = 0; i < bundle.sightings.size(); ++i) {
-    const Bundle::Sighting& sighting = bundle.sightings[i];
-    if (sighting.is_inlier) {
-      const auto linearized = Linearize(adjusted, camera_from_local[sighting.view],
-                                        bundle.points[sighting.point].in_local, sighting);
+  for (std::size_t i = 0; i < bundle.observations.size(); ++i) {
+    const Bundle::Observation& observation = bundle.observations[i];
+    if (observation.is_inlier) {
+      const auto linearized = Linearize(adjusted, camera_from_local[observation.view],
+                                        bundle.points[observation.point].in_local, observation);
       if (linearized) of_point.push_back(*linearized);
     }
-    const bool is_last =
-        i + 1 == bundle.sightings.size() || bundle.sightings[i + 1].point != sighting.point;
+    const bool is_last = i + 1 == bundle.observations.size() ||
+                         bundle.observations[i + 1].point != observation.point;
     if (!is_last) continue;
     if (of_point.size() > 1) information.AddPoint(of_point);
     of_point.clear();

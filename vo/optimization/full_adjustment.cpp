@@ -48,16 +48,16 @@ struct Parameters {
   }
 };
 
-void AddSightings(const AdjustedCamera& adjusted, ceres::LossFunction* loss, Parameters& parameters,
-                  ceres::Problem& problem) {
+void AddObservations(const AdjustedCamera& adjusted, ceres::LossFunction* loss,
+                     Parameters& parameters, ceres::Problem& problem) {
   Eigen::Vector3d* points = parameters.points.data();
   for (Bundle& bundle : parameters.bundles) {
-    for (const Bundle::Sighting& sighting : bundle.sightings) {
-      if (!sighting.is_inlier) continue;
-      std::vector<double*> blocks{bundle.views[sighting.view].local_from_camera.data(),
-                                  points[sighting.point].data()};
+    for (const Bundle::Observation& observation : bundle.observations) {
+      if (!observation.is_inlier) continue;
+      std::vector<double*> blocks{bundle.views[observation.view].local_from_camera.data(),
+                                  points[observation.point].data()};
       if (adjusted.num_free() > 0) blocks.push_back(parameters.difference.data());
-      problem.AddResidualBlock(MakeSightingCost(adjusted, sighting), loss, blocks);
+      problem.AddResidualBlock(MakeReprojectionCost(adjusted, observation), loss, blocks);
     }
     points += bundle.points.size();
   }
@@ -106,7 +106,7 @@ bool Solve(const CameraPrior& prior, const FullAdjustmentOptions& options,
   problem_options.evaluation_callback = &adjusted;
   ceres::HuberLoss huber(options.huber_sigmas);
   ceres::Problem problem(problem_options);
-  AddSightings(adjusted, &huber, parameters, problem);
+  AddObservations(adjusted, &huber, parameters, problem);
   if (prior.num_free() > 0) {
     problem.AddResidualBlock(MakePriorCost(prior), nullptr, parameters.difference.data());
   }
@@ -123,16 +123,16 @@ bool Solve(const CameraPrior& prior, const FullAdjustmentOptions& options,
   return summary.IsSolutionUsable();
 }
 
-/// Calls `visit` with every sighting and its squared error, in units of sigma².
+/// Calls `visit` with every observation and its squared error, in units of sigma².
 void ForEachError(const Camera& camera, std::vector<Bundle>& bundles,
-                  const std::function<void(Bundle::Sighting&, double)>& visit) {
+                  const std::function<void(Bundle::Observation&, double)>& visit) {
   for (Bundle& bundle : bundles) {
     const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
-    for (Bundle::Sighting& sighting : bundle.sightings) {
-      const PointObservation observation{bundle.points[sighting.point].in_local, sighting.pixel,
-                                         sighting.sigma_px};
-      const double error = SquaredError(observation, camera_from_local[sighting.view], camera);
-      visit(sighting, std::min(error, kUnseenError * kUnseenError));
+    for (Bundle::Observation& observation : bundle.observations) {
+      const PointObservation point{bundle.points[observation.point].in_local, observation.pixel,
+                                   observation.sigma_px};
+      const double error = SquaredError(point, camera_from_local[observation.view], camera);
+      visit(observation, std::min(error, kUnseenError * kUnseenError));
     }
   }
 }
@@ -141,15 +141,15 @@ double RobustCost(const CameraPrior& prior, const Eigen::VectorXd& difference, d
                   std::vector<Bundle>& bundles) {
   double sum = prior.SquaredError(difference);
   ForEachError(Camera(prior.Apply(difference)), bundles,
-               [&](const Bundle::Sighting&, double error) {
+               [&](const Bundle::Observation&, double error) {
                  sum += HuberLoss(error, huber_sigmas * huber_sigmas).value;
                });
   return 0.5 * sum;
 }
 
 void SetInliers(const Camera& camera, double max_squared_error, std::vector<Bundle>& bundles) {
-  ForEachError(camera, bundles, [&](Bundle::Sighting& sighting, double error) {
-    sighting.is_inlier = error <= max_squared_error;
+  ForEachError(camera, bundles, [&](Bundle::Observation& observation, double error) {
+    observation.is_inlier = error <= max_squared_error;
   });
 }
 
@@ -158,7 +158,7 @@ bool SolveInRounds(const CameraPrior& prior, const FullAdjustmentOptions& option
                    const AdjustmentProgress& progress, Parameters& parameters) {
   constexpr double kGrossError = 5 * 5;
   for (Bundle& bundle : parameters.bundles) {
-    for (Bundle::Sighting& sighting : bundle.sightings) sighting.is_inlier = true;
+    for (Bundle::Observation& observation : bundle.observations) observation.is_inlier = true;
   }
   for (int round = 0; round < kRounds; ++round) {
     ProgressCallback callback(round, options.max_iterations, progress);
@@ -176,14 +176,14 @@ bool SolveInRounds(const CameraPrior& prior, const FullAdjustmentOptions& option
 /// Marks the outliers of a solution and tells its figures.
 void Account(const CameraPrior& prior, const Eigen::VectorXd& difference,
              std::vector<Bundle>& bundles, FullAdjustment& result) {
-  result.outcome = AdjustmentOutcome::kLowered;
+  result.outcome = AdjustmentOutcome::kImproved;
   result.camera = prior.Apply(difference);
   double sum_px = 0;
-  ForEachError(Camera(result.camera), bundles, [&](Bundle::Sighting& sighting, double error) {
-    sighting.is_inlier = error <= kChiSquare2Dof95;
-    if (!sighting.is_inlier) return;
+  ForEachError(Camera(result.camera), bundles, [&](Bundle::Observation& observation, double error) {
+    observation.is_inlier = error <= kChiSquare2Dof95;
+    if (!observation.is_inlier) return;
     ++result.num_inliers;
-    sum_px += error * sighting.sigma_px * sighting.sigma_px;
+    sum_px += error * observation.sigma_px * observation.sigma_px;
   });
   result.inlier_rms_px = std::sqrt(sum_px / std::max(1, result.num_inliers));
   result.covariance = CameraCovariance(prior, difference, bundles);
@@ -195,39 +195,39 @@ FullAdjustment AdjustFully(const CameraPrior& camera_prior, const CameraParamete
                            const FullAdjustmentOptions& options, std::vector<Bundle>& bundles,
                            const AdjustmentProgress& progress) {
   camera_prior.Validate();
-  const CameraPrior prior = camera_prior.Beside(options.information_factor);
+  const CameraPrior prior = camera_prior.Inflated(options.information_factor);
   const std::vector<Bundle> before = bundles;
   Parameters parameters(bundles);
   parameters.difference = prior.Difference(start);
   FullAdjustment result;
   result.camera = start;
   for (const Bundle& bundle : bundles) {
-    result.num_sightings += static_cast<int>(bundle.sightings.size());
+    result.num_observations += static_cast<int>(bundle.observations.size());
   }
-  if (result.num_sightings == 0) return result;
+  if (result.num_observations == 0) return result;
   result.outcome = AdjustmentOutcome::kSolverFailed;
   result.initial_cost = RobustCost(prior, parameters.difference, options.huber_sigmas, bundles);
   if (std::isfinite(result.initial_cost) && SolveInRounds(prior, options, progress, parameters)) {
     result.final_cost = RobustCost(prior, parameters.difference, options.huber_sigmas, bundles);
-    result.outcome = AdjustmentOutcome::kNotLowered;
+    result.outcome = AdjustmentOutcome::kNotImproved;
     if (result.final_cost < result.initial_cost) {
       Account(prior, parameters.difference, bundles, result);
       result.covariance /= options.information_factor;
     }
   }
-  if (result.outcome != AdjustmentOutcome::kLowered) bundles = before;
+  if (result.outcome != AdjustmentOutcome::kImproved) bundles = before;
   return result;
 }
 
 Bundle ThinPoints(const Bundle& bundle, int max_points) {
-  const std::vector<int> begin = SightingOffsets(bundle);
+  const std::vector<int> begin = ObservationOffsets(bundle);
   const std::vector<char> is_selected = SelectPoints(bundle, max_points);
   Bundle thinned{bundle.world_from_local, bundle.views, {}, {}};
   for (std::size_t point = 0; point < bundle.points.size(); ++point) {
     if (!is_selected[point] || begin[point + 1] - begin[point] < 2) continue;
     for (int i = begin[point]; i < begin[point + 1]; ++i) {
-      thinned.sightings.push_back(bundle.sightings[i]);
-      thinned.sightings.back().point = static_cast<int>(thinned.points.size());
+      thinned.observations.push_back(bundle.observations[i]);
+      thinned.observations.back().point = static_cast<int>(thinned.points.size());
     }
     thinned.points.push_back(bundle.points[point]);
   }

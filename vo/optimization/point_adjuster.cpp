@@ -11,7 +11,7 @@ namespace {
 constexpr double kHuberThreshold = kHuberSigmas * kHuberSigmas;
 
 void Accumulate(const Camera& camera, const SE3& camera_from_local,
-                const Bundle::Sighting& sighting, const Eigen::Vector3d& in_local,
+                const Bundle::Observation& observation, const Eigen::Vector3d& in_local,
                 NormalEquations<3>& equations) {
   constexpr double kUnseen = 1e6;
   Camera::Jacobian by_camera_point;
@@ -20,9 +20,9 @@ void Accumulate(const Camera& camera, const SE3& camera_from_local,
     equations.cost += HuberLoss(kUnseen, kHuberThreshold).value;
     return;
   }
-  const Eigen::Vector2d residual = (*pixel - sighting.pixel) / sighting.sigma_px;
+  const Eigen::Vector2d residual = (*pixel - observation.pixel) / observation.sigma_px;
   const Camera::Jacobian jacobian =
-      by_camera_point * camera_from_local.rotation().matrix() / sighting.sigma_px;
+      by_camera_point * camera_from_local.rotation().matrix() / observation.sigma_px;
   const Loss loss = HuberLoss(residual.squaredNorm(), kHuberThreshold);
   equations.cost += loss.value;
   equations.hessian += loss.weight * jacobian.transpose() * jacobian;
@@ -34,7 +34,7 @@ void Accumulate(const Camera& camera, const SE3& camera_from_local,
 void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bundle& bundle) {
   constexpr int kMaxIterations = 5;
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
-  const std::vector<int> offsets = SightingOffsets(bundle);
+  const std::vector<int> offsets = ObservationOffsets(bundle);
   const auto plus = [](const Eigen::Vector3d& point, const Eigen::Vector3d& step) {
     return Eigen::Vector3d(point + step);
   };
@@ -43,9 +43,9 @@ void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bu
     const auto build = [&](const Eigen::Vector3d& in_local) {
       NormalEquations<3> equations;
       for (int i = offsets[point]; i < offsets[point + 1]; ++i) {
-        const Bundle::Sighting& sighting = bundle.sightings[i];
-        if (!sighting.is_inlier) continue;
-        Accumulate(camera, camera_from_local[sighting.view], sighting, in_local, equations);
+        const Bundle::Observation& observation = bundle.observations[i];
+        if (!observation.is_inlier) continue;
+        Accumulate(camera, camera_from_local[observation.view], observation, in_local, equations);
       }
       return equations;
     };

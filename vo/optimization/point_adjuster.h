@@ -7,7 +7,7 @@
 
 namespace corvo {
 
-/// Minimises the robust reprojection error (Huber) of each point of a bundle that is not in
+/// Minimizes the robust reprojection error (Huber) of each point of a bundle that is not in
 /// `is_adjusted`, one entry a point, over its position; views and other points stay.
 void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bundle& bundle);
 

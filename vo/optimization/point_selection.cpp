@@ -5,7 +5,7 @@
 
 namespace corvo {
 std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
-  const std::vector<int> begin = SightingOffsets(bundle);
+  const std::vector<int> begin = ObservationOffsets(bundle);
   std::vector<int> order(bundle.points.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -13,13 +13,15 @@ std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
   std::vector<char> is_selected(bundle.points.size(), 0);
   std::vector<int> num_selected(bundle.views.size(), 0);
   for (const int point : order) {
-    const auto first = bundle.sightings.begin() + begin[point];
-    const auto last = bundle.sightings.begin() + begin[point + 1];
-    is_selected[point] = std::any_of(first, last, [&](const Bundle::Sighting& sighting) {
-      return !bundle.views[sighting.view].is_held && num_selected[sighting.view] < points_per_view;
+    const auto first = bundle.observations.begin() + begin[point];
+    const auto last = bundle.observations.begin() + begin[point + 1];
+    is_selected[point] = std::any_of(first, last, [&](const Bundle::Observation& observation) {
+      return !bundle.views[observation.view].is_fixed &&
+             num_selected[observation.view] < points_per_view;
     });
     if (!is_selected[point]) continue;
-    for (auto sighting = first; sighting != last; ++sighting) ++num_selected[sighting->view];
+    for (auto observation = first; observation != last; ++observation)
+      ++num_selected[observation->view];
   }
   return is_selected;
 }

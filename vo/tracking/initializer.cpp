@@ -28,14 +28,14 @@ Map MakeTwoViewMap(const MeasurementModel& model, const TwoViewResult& motion,
   for (const TwoViewPoint& point : motion.points) {
     const orb::Match& match = matches[point.match];
     const LandmarkId id = map.AddLandmark(point.in_first, {{0, match.query}, {1, match.train}});
-    AlignObservation(id, {1, match.train}, map);
+    AlignTrackElement(id, {1, match.train}, map);
   }
   return map;
 }
 
 /// Two-view adjustment; the points that are left after outliers were removed. None where it fails.
 std::optional<InitialMap> AdjustTwoViews(const BundleAdjusterOptions& options, Map map) {
-  const AdjustmentWindow window{{0, 1}, {}, map.FindSeen({0, 1})};
+  const AdjustmentWindow window{{0, 1}, {}, map.FindObserved({0, 1})};
   Bundle bundle = CopyBundle(map, window);
   if (!AdjustBundle(map.camera(), options, bundle).usable) return std::nullopt;
   WriteBack(bundle, map);
@@ -44,8 +44,8 @@ std::optional<InitialMap> AdjustTwoViews(const BundleAdjusterOptions& options, M
   for (const LandmarkId id : window.landmarks) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
-    initial.points.push_back({landmark->observations[0].keypoint,
-                              landmark->observations[1].keypoint, landmark->in_world});
+    initial.points.push_back(
+        {landmark->track[0].keypoint, landmark->track[1].keypoint, landmark->in_world});
   }
   return initial;
 }
@@ -144,7 +144,7 @@ void Initializer::ContinueRotation(InitializationResult& result) const {
   if (last == has_rotation_.rend()) return;
   const Frame& known = frames_[std::distance(last, has_rotation_.rend()) - 1];
   const std::vector<orb::Match> matches = MatchFrames(known, frames_.back());
-  const TwoViewResult motion = JudgeRotation(ToRayMatches(known, matches), options_);
+  const TwoViewResult motion = CheckPureRotation(ToRayMatches(known, matches), options_);
   if (!motion.first_from_second_rotation) return;
   result.reference = known.index;
   result.reference_from_newest = RefineRotation(known, *motion.first_from_second_rotation);

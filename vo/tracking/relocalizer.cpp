@@ -27,7 +27,7 @@ std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId
   std::vector<LandmarkId> similar;
   const std::vector<orb::Nearest> nearest =
       orb::FindNearest(frame.features.descriptors, descriptors);
-  for (const orb::Match& match : orb::KeepNear(nearest, max_distance)) {
+  for (const orb::Match& match : orb::DistanceTest(nearest, max_distance)) {
     similar.push_back(landmarks[match.train]);
   }
   return similar;
@@ -39,7 +39,7 @@ std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<Keyfr
                                          int max_candidates) {
   std::map<KeyframeId, int> votes;
   for (const LandmarkId id : landmarks) {
-    for (const Observation& observation : map.FindLandmark(id)->observations) {
+    for (const TrackElement& observation : map.FindLandmark(id)->track) {
       ++votes[observation.keyframe];
     }
   }
@@ -58,7 +58,7 @@ Relocalizer::Relocalizer(const OdometryOptions& options)
 TrackingResult Relocalizer::Relocalize(int segment, Map& map, Frame& frame) const {
   const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options_.max_keyframes);
   const std::vector<LandmarkId> similar =
-      FindSimilar(map, map.FindSeen(keyframes), matching_.max_tracking_distance, frame);
+      FindSimilar(map, map.FindObserved(keyframes), matching_.max_tracking_distance, frame);
   TrackingResult best;
   best.reason = Reason::kTooFewMatches;
   for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options_.max_candidates)) {

@@ -71,7 +71,7 @@ std::optional<SE3> EstimatePose(const PointRays& points, double max_ray_error, i
 std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame,
                                               int max_keyframes) {
   const std::vector<LandmarkId> local =
-      map.FindSeen(FirstKeyframes(map.FindCovisible(frame), max_keyframes));
+      map.FindObserved(FirstKeyframes(map.FindCovisible(frame), max_keyframes));
   std::vector<LandmarkId> own = frame.landmarks;
   std::sort(own.begin(), own.end());
   std::vector<LandmarkId> others;
@@ -91,13 +91,13 @@ TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& 
                               Frame& frame) const {
   TrackingResult result;
   result.num_inliers = TrackPrevious(map, previous, predicted, frame);
-  result.num_matches = CountSeenLandmarks(frame);
+  result.num_matches = CountObservedLandmarks(frame);
   if (result.num_inliers < options_.min_first_inliers) {
     result.reason = Reason::kTooFewMatches;
     return result;
   }
   result.visible = MatchLocalLandmarks(map, frame);
-  result.num_matches = CountSeenLandmarks(frame);
+  result.num_matches = CountObservedLandmarks(frame);
   AlignKeypoints(map, frame);
   result.num_inliers = OptimizePose(map, frame.world_from_camera, frame);
   if (result.num_inliers < options_.min_inliers) result.reason = Reason::kTooFewInliers;
@@ -137,7 +137,7 @@ int Tracker::MatchPrevious(const Map& map, const Frame& previous, const SE3& pre
   const GuidedQueries queries =
       QueryKeypoints(previous, PredictLandmarks(map, previous, predicted), radius_px, map.model());
   AssignLandmarks(MatchGuided(queries, frame, {matching_.max_tracking_distance}), queries, frame);
-  return CountSeenLandmarks(frame);
+  return CountObservedLandmarks(frame);
 }
 
 std::optional<SE3> Tracker::LocateWithoutPrediction(const Map& map, const Frame& previous,

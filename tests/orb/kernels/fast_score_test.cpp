@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRows = 2 * kCircleRadius + 1;
 
-/// Rows of noise of few grey levels, so that corners, ties and extremes are frequent.
+/// Rows of noise of few gray levels, so that corners, ties and extremes are frequent.
 std::vector<std::uint8_t> MakeRows(int stride, unsigned seed) {
   std::vector<std::uint8_t> rows = test::RandomBytes(kRows * stride, seed);
   for (std::uint8_t& byte : rows) {
@@ -61,7 +61,7 @@ TEST(FindRowMaximaTest, IsItsScalarTwin) {
   });
 }
 
-TEST(FindRowMaximaTest, EqualNeighboursSuppressOneAnother) {
+TEST(FindRowMaximaTest, EqualNeighborsSuppressOneAnother) {
   const std::vector<std::uint8_t> none(10, 0);
   const std::vector<std::uint8_t> scores = {0, 0, 5, 5, 0, 7, 0, 3, 4, 0};
   std::vector<std::uint16_t> columns(8 + kMaximaRoom);

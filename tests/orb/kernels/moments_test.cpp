@@ -8,24 +8,24 @@ namespace corvo::orb::kernels {
 namespace {
 
 constexpr int kSide = 2 * kMomentRadius + 3;  // with a margin of one pixel
-constexpr int kCentre = (kMomentRadius + 1) * (kSide + 1);
+constexpr int kCenter = (kMomentRadius + 1) * (kSide + 1);
 
 TEST(SumDiscMomentsTest, IsItsScalarTwin) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 50; ++seed) {
       const auto image = test::RandomBytes(kSide * kSide, seed);
-      EXPECT_EQ(SumDiscMoments(image.data() + kCentre, kSide),
-                scalar::SumDiscMoments(image.data() + kCentre, kSide));
+      EXPECT_EQ(SumDiscMoments(image.data() + kCenter, kSide),
+                scalar::SumDiscMoments(image.data() + kCenter, kSide));
     }
   });
 }
 
 TEST(SumDiscMomentsTest, TheStrongestContrastIsHeld) {
   std::vector<std::uint8_t> image(kSide * kSide, 0);
-  for (int i = kCentre; i < kSide * kSide; ++i) image[i] = 255;
+  for (int i = kCenter; i < kSide * kSide; ++i) image[i] = 255;
   test::ForEveryInstructionSet([&] {
-    EXPECT_EQ(SumDiscMoments(image.data() + kCentre, kSide),
-              scalar::SumDiscMoments(image.data() + kCentre, kSide));
+    EXPECT_EQ(SumDiscMoments(image.data() + kCenter, kSide),
+              scalar::SumDiscMoments(image.data() + kCenter, kSide));
   });
 }
 
@@ -35,11 +35,11 @@ TEST(SumDiscMomentsTest, IsTheSumOverTheDisc) {
   for (int dy = -15; dy <= 15; ++dy) {
     for (int dx = -15; dx <= 15; ++dx) {
       if (dx * dx + dy * dy > 225) continue;
-      expected.x += dx * image[kCentre + dy * kSide + dx];
-      expected.y += dy * image[kCentre + dy * kSide + dx];
+      expected.x += dx * image[kCenter + dy * kSide + dx];
+      expected.y += dy * image[kCenter + dy * kSide + dx];
     }
   }
-  EXPECT_EQ(scalar::SumDiscMoments(image.data() + kCentre, kSide), expected);
+  EXPECT_EQ(scalar::SumDiscMoments(image.data() + kCenter, kSide), expected);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace corvo::orb::kernels {
 namespace {
 
 constexpr int kStride = 2 * kPatchRadius + 4;
-constexpr int kCentre = kPatchRadius * (kStride + 1);
+constexpr int kCenter = kPatchRadius * (kStride + 1);
 using Numbers = std::array<std::uint16_t, (2 * kPatchRadius + 1) * kStride>;
 using Bytes = std::array<std::uint8_t, kPatchTests / 8>;
 
@@ -39,8 +39,8 @@ TEST(TestPatchTest, IsItsScalarTwin) {
       const PatchTests tests = MakeTests(seed);
       Bytes bytes{};
       Bytes expected{};
-      TestPatch(patch.data() + kCentre, kStride, tests, bytes.data());
-      scalar::TestPatch(patch.data() + kCentre, kStride, tests, expected.data());
+      TestPatch(patch.data() + kCenter, kStride, tests, bytes.data());
+      scalar::TestPatch(patch.data() + kCenter, kStride, tests, expected.data());
       ASSERT_EQ(bytes, expected) << seed;
     }
   });
@@ -48,7 +48,7 @@ TEST(TestPatchTest, IsItsScalarTwin) {
 
 TEST(TestPatchTest, ABitIsOneWhereTheNumberAtPIsLess) {
   Numbers patch{};
-  patch[kCentre + 3 * kStride + 5] = 1;
+  patch[kCenter + 3 * kStride + 5] = 1;
   PatchTests tests{};
   tests.p.fill(PatchIndex(-10, -10));
   tests.q.fill(PatchIndex(8, 3));
@@ -59,7 +59,7 @@ TEST(TestPatchTest, ABitIsOneWhereTheNumberAtPIsLess) {
   Bytes expected{};
   expected[0] = 1;
   expected[1] = 2;
-  TestPatch(patch.data() + kCentre, kStride, tests, bytes.data());
+  TestPatch(patch.data() + kCenter, kStride, tests, bytes.data());
   EXPECT_EQ(bytes, expected);
 }
 

@@ -22,7 +22,7 @@ TEST(InterpolateRowTest, IsItsScalarTwin) {
   test::ForEveryInstructionSet([&] {
     for (unsigned seed = 0; seed < 20; ++seed) {
       auto source = test::RandomBytes((kCount - 1) * 9 + kTapReach, seed);
-      for (std::uint8_t& grey : source) grey = static_cast<std::uint8_t>(grey < 50 ? 0 : grey | 15);
+      for (std::uint8_t& gray : source) gray = static_cast<std::uint8_t>(gray < 50 ? 0 : gray | 15);
       std::vector<std::int16_t> row(kCount * kTapsPerGroup);
       std::vector<std::int16_t> expected = row;
       InterpolateRow(source.data(), groups, row.data());

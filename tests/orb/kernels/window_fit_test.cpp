@@ -13,7 +13,7 @@ FitTemplate RandomTemplate(unsigned seed) {
   const auto bytes = test::RandomBytes(3 * kFitPixels, seed);
   FitTemplate wanted;
   for (int i = 0; i < kFitPixels; ++i) {
-    wanted.grey[i] = static_cast<float>(bytes[3 * i]) - 100.25F;
+    wanted.gray[i] = static_cast<float>(bytes[3 * i]) - 100.25F;
     wanted.by_x[i] = 0.5F * static_cast<float>(bytes[3 * i + 1]) - 60.1F;
     wanted.by_y[i] = 0.5F * static_cast<float>(bytes[3 * i + 2]) - 59.3F;
   }
@@ -38,11 +38,11 @@ TEST(FitWindowTest, SumsByHand) {
     pixels[i] = static_cast<std::uint8_t>(128 + 2 * (i % kStride) + 4 * (i / kStride));
   }
   FitTemplate wanted{};
-  wanted.grey[0] = 3;               // At column 0, row 0,
+  wanted.gray[0] = 3;               // At column 0, row 0,
   wanted.by_x[kFitSide - 1] = 5;    // column 7, row 0,
   wanted.by_y[kFitPixels - 1] = 7;  // column 7, row 7.
   const WindowFit fit = scalar::FitWindow({pixels.data(), kStride, 0.5F, 0.25F}, wanted);
-  EXPECT_FLOAT_EQ(fit.with_grey, 3 * (1 + 1));
+  EXPECT_FLOAT_EQ(fit.with_gray, 3 * (1 + 1));
   EXPECT_FLOAT_EQ(fit.with_x, 5 * (1 + 1 + 14));
   EXPECT_FLOAT_EQ(fit.with_y, 7 * (1 + 1 + 14 + 28));
   EXPECT_FLOAT_EQ(fit.sum, kFitPixels * (2 + 7 + 14));

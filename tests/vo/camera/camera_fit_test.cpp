@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-/// The greatest distance of two cameras' pixels over the picture of the first.
+/// The greatest distance of two cameras' pixels over the image of the first.
 double GreatestDistance(const Camera& first, const Camera& second) {
   double greatest = 0;
   for (int x = 0; x < first.width(); x += 20) {

@@ -45,14 +45,14 @@ TEST(CameraPriorTest, AllowsAFewSigmas) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}});
   EXPECT_THAT(Eigen::VectorXd(PriorEstimate(prior).covariance.diagonal()),
               test::IsMatrixNear(Eigen::VectorXd(Eigen::Vector3d(1e-4, 4e-4, 9e-4)), 1e-15));
-  EXPECT_TRUE(prior.Allows(Eigen::Vector3d(0.02, 0.04, -0.06)));
-  EXPECT_FALSE(prior.Allows(Eigen::Vector3d(0.05, 0, 0)));
-  EXPECT_FALSE(prior.Allows(Eigen::Vector3d(0, 0.06, 0.09)));
+  EXPECT_TRUE(prior.PassesChiSquareTest(Eigen::Vector3d(0.02, 0.04, -0.06)));
+  EXPECT_FALSE(prior.PassesChiSquareTest(Eigen::Vector3d(0.05, 0, 0)));
+  EXPECT_FALSE(prior.PassesChiSquareTest(Eigen::Vector3d(0, 0.06, 0.09)));
 }
 
 TEST(CameraPriorTest, OfWhatIsNotKnownEverythingIsAllowed) {
-  EXPECT_TRUE(Prior({{"cx"}}).Allows(Eigen::VectorXd::Constant(1, 1e6)));
-  EXPECT_FALSE(Prior({{"cx"}, {"k1", 0.1}}).Allows(Eigen::Vector2d(0, 0.4)));
+  EXPECT_TRUE(Prior({{"cx"}}).PassesChiSquareTest(Eigen::VectorXd::Constant(1, 1e6)));
+  EXPECT_FALSE(Prior({{"cx"}, {"k1", 0.1}}).PassesChiSquareTest(Eigen::Vector2d(0, 0.4)));
 }
 
 TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDistortion) {
@@ -68,7 +68,7 @@ TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDi
 
 TEST(CameraPriorTest, BesideMoreInformationItIsWorthLess) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.02}}};
-  const CameraPrior beside = prior.Beside(4);
+  const CameraPrior beside = prior.Inflated(4);
   EXPECT_EQ(beside.given, prior.given);
   EXPECT_THAT(beside.free,
               testing::ElementsAre(FreeParameter{"focal", 0.02}, FreeParameter{"k1", 0.04}));
@@ -76,7 +76,7 @@ TEST(CameraPriorTest, BesideMoreInformationItIsWorthLess) {
   EXPECT_DOUBLE_EQ(4 * beside.SquaredError(difference), prior.SquaredError(difference));
 }
 
-TEST(CameraPriorTest, SigmasInPixelsAreResizedWithThePictures) {
+TEST(CameraPriorTest, SigmasInPixelsAreResizedWithTheImages) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"cx", 2}, {"cy", 3}, {"k1", 0.1}});
   const CameraParameters& given = prior.given;
   const CameraPrior resized = prior.Resized(given.width / 2, given.height / 4);
@@ -90,8 +90,8 @@ TEST(CameraPriorTest, ThePosteriorIsKnownAsItsCovarianceSays) {
   const Eigen::Matrix2d covariance = Eigen::Vector2d(0.005 * 0.005, 0.1 * 0.1).asDiagonal();
   EXPECT_EQ(Posterior(prior.free, covariance),
             (std::vector<FreeParameter>{{"focal", 0.005}, {"k1", 0.1}}));
-  EXPECT_DOUBLE_EQ(ShareFromPictures(prior.free[0], 0.005), 0.75);
-  EXPECT_EQ(ShareFromPictures({"cx"}, 3), 1) << "nothing was known before";
+  EXPECT_DOUBLE_EQ(InformationGain(prior.free[0], 0.005), 0.75);
+  EXPECT_EQ(InformationGain({"cx"}, 3), 1) << "nothing was known before";
 }
 
 TEST(CameraPriorTest, OfFocalTheValueIsFx) {

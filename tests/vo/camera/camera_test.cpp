@@ -38,7 +38,7 @@ CameraParameters WithDistortion(double k1, double k2, double p1, double p2, doub
   return parameters;
 }
 
-/// None, barrel, pincushion, two published calibrations, one that turns over inside the picture.
+/// None, barrel, pincushion, two published calibrations, one that turns over inside the image.
 std::vector<Camera> Cameras() {
   std::vector<Camera> cameras = {Camera(Pinhole()), Camera(WithDistortion(-0.2, 0, 0, 0, 0)),
                                  Camera(WithDistortion(0.3, 0.1, 1e-3, -2e-3, 0.05)),
@@ -59,7 +59,7 @@ std::vector<Camera> Cameras() {
   return cameras;
 }
 
-std::vector<Eigen::Vector2d> PictureGrid(const Camera& camera) {
+std::vector<Eigen::Vector2d> ImageGrid(const Camera& camera) {
   std::vector<Eigen::Vector2d> pixels;
   for (int y = 0; y <= 10; ++y) {
     for (int x = 0; x <= 10; ++x) {
@@ -120,7 +120,7 @@ TEST(CameraTest, UndistortInvertsProject) {
 TEST(CameraTest, EveryPixelIsMetByItsRayOrHasNone) {
   for (const Camera& camera : Cameras()) {
     int num_without = 0;
-    for (const Eigen::Vector2d& pixel : PictureGrid(camera)) {
+    for (const Eigen::Vector2d& pixel : ImageGrid(camera)) {
       const auto ray = camera.Undistort(pixel);
       if (!ray) {
         ++num_without;
@@ -207,7 +207,7 @@ TEST(CameraTest, OutsideTheDomainHasNoPixel) {
   EXPECT_FALSE(camera.Undistort({320 + 500 * 0.386, 240}));  // 2/3^1.5 = 0.3849.
 }
 
-TEST(CameraTest, ContainsThePicturesArea) {
+TEST(CameraTest, ContainsTheImagesArea) {
   const Camera camera(Pinhole());
   EXPECT_TRUE(camera.Contains({-0.5, -0.5}));
   EXPECT_TRUE(camera.Contains({639.49, 479.49}));

@@ -58,7 +58,7 @@ TEST(DifferentiableCameraTest, EveryDerivativeIsTheNumericOne) {
   }
 }
 
-TEST(DifferentiableCameraTest, ThePrincipalPointMovesThePictureAndAFocalLengthOneAxis) {
+TEST(DifferentiableCameraTest, ThePrincipalPointMovesTheImageAndAFocalLengthOneAxis) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"cx"}, {"cy"}, {"fy"}}};
   const DifferentiableCamera camera(prior, Eigen::Vector3d::Zero());
   Eigen::Matrix<double, 2, 3> expected;

@@ -46,7 +46,7 @@ CameraParameters Fov(double omega) {
 }
 
 /// The fisheye of TUM-VI, the lens of TUM-mono, two made up ones each, the last of kb4 with a
-/// polynomial that turns over inside the picture.
+/// polynomial that turns over inside the image.
 std::vector<Camera> WideCameras() {
   return {Camera(Kb4(0.0034823894022493434, 0.0007150348452162257, -0.0020532361418706202,
                      0.00020293673591811182)),

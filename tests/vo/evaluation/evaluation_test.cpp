@@ -139,7 +139,7 @@ TEST(AlignTest, IsTheBestOfItsKind) {
                                     pair.estimate_from_camera.translation() + random.Vector<3>(5));
   }
   const auto rmse = [&](const Sim3& truth_from_estimate) {
-    return Summarise(PositionErrors(MoveEstimates(truth_from_estimate, pairs))).rmse;
+    return Summarize(PositionErrors(MoveEstimates(truth_from_estimate, pairs))).rmse;
   };
   const Sim3 similar = Align(pairs, Alignment::kSim3), rigid = Align(pairs, Alignment::kSe3);
   EXPECT_EQ(rigid.scale(), 1);
@@ -164,7 +164,7 @@ TEST(AlignTest, PositionsOnALineLeaveNoError) {
   const auto pairs = MakePairs(
       10, [](int i) { return At(i, 2 * i, 0); }, [](int i) { return At(5, 0, 3 * i); });
   const auto aligned = MoveEstimates(Align(pairs, Alignment::kSim3), pairs);
-  EXPECT_LT(Summarise(PositionErrors(aligned)).max, 1e-12);
+  EXPECT_LT(Summarize(PositionErrors(aligned)).max, 1e-12);
 }
 
 TEST(AlignTest, RejectsWhatCannotBeAligned) {
@@ -188,20 +188,20 @@ TEST(AlignmentTest, NamesRoundTrip) {
   EXPECT_THAT([] { ParseAlignment("sim4"); }, ThrowsError("sim4", "sim3, se3, scale or none"));
 }
 
-TEST(SummariseTest, ByHand) {
-  const ErrorStatistics even = Summarise({4, 3});
+TEST(SummarizeTest, ByHand) {
+  const ErrorStatistics even = Summarize({4, 3});
   EXPECT_EQ(even.count, 2);
   EXPECT_EQ(even.rmse, std::sqrt(12.5));
   EXPECT_EQ(even.mean, 3.5);
   EXPECT_EQ(even.median, 3.5);
   EXPECT_EQ(even.max, 4);
-  EXPECT_EQ(Summarise({9, 1, 2}).median, 2);
+  EXPECT_EQ(Summarize({9, 1, 2}).median, 2);
 }
 
-TEST(SummariseTest, NothingHasNoMean) {
-  EXPECT_EQ(Summarise({}).count, 0);
-  EXPECT_TRUE(std::isnan(Summarise({}).rmse));
-  EXPECT_TRUE(std::isnan(Summarise({}).max));
+TEST(SummarizeTest, NothingHasNoMean) {
+  EXPECT_EQ(Summarize({}).count, 0);
+  EXPECT_TRUE(std::isnan(Summarize({}).rmse));
+  EXPECT_TRUE(std::isnan(Summarize({}).max));
 }
 
 TEST(RelativeErrorTest, OfTooLongSteps) {

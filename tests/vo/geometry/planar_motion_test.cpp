@@ -90,7 +90,7 @@ TEST(PlanarMotionTest, ARotationShowsNoPlane) {
 
 constexpr double kMaxAngleDeg = 15;
 
-TEST(PlaneHypothesesTest, TheTwinIsRecognisedWhenTheMotionChangesDirection) {
+TEST(PlaneHypothesesTest, TheTwinIsRecognizedWhenTheMotionChangesDirection) {
   const Plane plane{Eigen::Vector3d(0.3, 0, 1).normalized(), 3};
   const SE3 first_step(SO3::Exp({0, 0.05, 0}), {0.1, 0, 0.6});
   const SE3 second_step(SO3::Exp({0, 0.05, 0.1}), {-0.3, 0.3, 0.8});

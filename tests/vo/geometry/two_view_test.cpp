@@ -96,7 +96,7 @@ TEST(TwoViewTest, ARotationIsJudgedByTheParallaxItLeaves) {
   double parallax_deg = 0;
   for (const double moved : {0.0, 0.1, 0.4, 1.6}) {
     const TwoViewResult result =
-        JudgeRotation(MatchViews(scene, SE3(turned, {moved, 0, 0}), 0.5, 0, random), {});
+        CheckPureRotation(MatchViews(scene, SE3(turned, {moved, 0, 0}), 0.5, 0, random), {});
     EXPECT_EQ(result.first_from_second_rotation.has_value(), moved < 0.2) << moved;
     EXPECT_GT(result.parallax_deg, parallax_deg) << moved;
     parallax_deg = result.parallax_deg;

@@ -274,7 +274,7 @@ CameraFile Shipped(const std::string& name) {
   return ReadCameraFile(test::SourceDir() / "configs" / (name + ".yaml"));
 }
 
-TEST(ShippedCamerasTest, ReadAndSeeTheirWholePicture) {
+TEST(ShippedCamerasTest, ReadAndSeeTheirWholeImage) {
   for (const char* name : {"7scenes", "euroc", "kitti_00-02", "kitti_03", "kitti_04-12", "tum_fr1",
                            "tum_fr2", "tum_fr3", "tum_mono", "tumvi"}) {
     const CameraFile file = Shipped(name);
@@ -295,7 +295,7 @@ TEST(ShippedCamerasTest, HaveThePublishedNumbers) {
   EXPECT_EQ(Shipped("7scenes").camera.fx(), 585);
   EXPECT_EQ(Shipped("tumvi").camera.parameters().model, CameraModel::kKb4);
   EXPECT_EQ(Shipped("tumvi").camera.parameters().k4, 0.00020293673591811182);
-  // camera.txt has them in units of the picture: 0.535719308086809 0.669566858850269 ...
+  // camera.txt has them in units of the image: 0.535719308086809 0.669566858850269 ...
   const Camera tum_mono = Shipped("tum_mono").camera;
   EXPECT_EQ(tum_mono.parameters().model, CameraModel::kFov);
   EXPECT_DOUBLE_EQ(tum_mono.fx(), 1280 * 0.535719308086809);

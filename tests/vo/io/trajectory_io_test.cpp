@@ -50,7 +50,7 @@ TEST(TumTest, WritesByHand) {
             "1403636579.763555584 1 -0.5 0 0 0 0 1\n");
 }
 
-TEST(TumTest, RoundTripIsExactButForNormalisation) {
+TEST(TumTest, RoundTripIsExactButForNormalization) {
   const test::TemporaryDir dir;
   const PoseSequence poses = RandomPoses();
   WriteTum(dir.path() / "a.tum", poses);

@@ -29,7 +29,7 @@ TEST(FrameTest, KeypointsKeepTheirPixelAndGetARay) {
 
 TEST(FrameTest, KeypointsWithoutARayAreDropped) {
   CameraParameters parameters = test::PinholeCamera().parameters();
-  parameters.k1 = -0.8;  // Rays turn over inside the picture's corners.
+  parameters.k1 = -0.8;  // Rays turn over inside the image's corners.
   orb::Features features;
   features.keypoints = {KeypointAt(0, 0), KeypointAt(320, 240)};
   features.descriptors.resize(2);
@@ -48,7 +48,7 @@ TEST(FrameTest, RaysBecomeThoseOfAnotherCamera) {
   Frame frame = MakeFrame(0, 0, features, test::PinholeCamera());
   const Eigen::Vector2d old_corner_ray = frame.rays[0];
   CameraParameters parameters = test::PinholeCamera().parameters();
-  parameters.k1 = -0.8;  // Rays turn over inside the picture's corners.
+  parameters.k1 = -0.8;  // Rays turn over inside the image's corners.
   const Camera camera(parameters);
   UpdateRays(camera, frame);
   EXPECT_EQ(frame.camera, parameters);

@@ -14,27 +14,27 @@ namespace {
 
 constexpr double kDepth = 4;
 
-/// A picture of a wall at z = kDepth, painted with blobs.
-cv::Mat Film(const Camera& camera, const SE3& world_from_camera) {
-  cv::Mat picture(camera.height(), camera.width(), CV_8UC1);
-  const Eigen::Vector3d centre = world_from_camera.translation();
-  for (int v = 0; v < picture.rows; ++v) {
-    for (int u = 0; u < picture.cols; ++u) {
+/// An image of a wall at z = kDepth, painted with blobs.
+cv::Mat RenderWall(const Camera& camera, const SE3& world_from_camera) {
+  cv::Mat image(camera.height(), camera.width(), CV_8UC1);
+  const Eigen::Vector3d center = world_from_camera.translation();
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
       const Eigen::Vector3d ray =
           world_from_camera.rotation() * camera.Undistort(Eigen::Vector2d(u, v))->homogeneous();
-      const Eigen::Vector3d wall = centre + (kDepth - centre.z()) / ray.z() * ray;
-      const double grey = 128 + 50 * std::sin(23 * wall.x()) * std::cos(19 * wall.y() + wall.x()) +
+      const Eigen::Vector3d wall = center + (kDepth - center.z()) / ray.z() * ray;
+      const double gray = 128 + 50 * std::sin(23 * wall.x()) * std::cos(19 * wall.y() + wall.x()) +
                           40 * std::sin(11 * wall.x() - 13 * wall.y());
-      picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(grey);
+      image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(gray);
     }
   }
-  return picture;
+  return image;
 }
 
-Frame Photograph(const orb::Extractor& extractor, const Camera& camera, const SE3& pose) {
+Frame ExtractView(const orb::Extractor& extractor, const Camera& camera, const SE3& pose) {
   orb::Features features;
   std::vector<orb::Patch> patches;
-  extractor.Extract(Film(camera, pose), cv::Mat(), features, patches);
+  extractor.Extract(RenderWall(camera, pose), cv::Mat(), features, patches);
   Frame frame = MakeFrame(0, 0, std::move(features), camera, std::move(patches));
   frame.world_from_camera = pose;
   return frame;
@@ -43,8 +43,8 @@ Frame Photograph(const orb::Extractor& extractor, const Camera& camera, const SE
 /// Where the wall is seen at a pixel of a frame.
 Eigen::Vector3d OnWall(const Frame& frame, int k) {
   const Eigen::Vector3d ray = frame.world_from_camera.rotation() * frame.rays[k].homogeneous();
-  const Eigen::Vector3d& centre = frame.world_from_camera.translation();
-  return centre + (kDepth - centre.z()) / ray.z() * ray;
+  const Eigen::Vector3d& center = frame.world_from_camera.translation();
+  return center + (kDepth - center.z()) / ray.z() * ray;
 }
 
 /// Nearest keypoint of the same octave; kNoId if none is within 2 px of the level.
@@ -66,8 +66,8 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
   const std::vector<double>& scales = extractor.octave_scales();
   const SE3 second_pose(SO3::Exp({0.01, -0.03, 0.06}), {0.15, -0.05, 0.1});
   Map map(test::MakeModel());
-  map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
-  map.AddKeyframe(Photograph(extractor, camera, second_pose), 0);
+  map.AddKeyframe(ExtractView(extractor, camera, SE3()), 0);
+  map.AddKeyframe(ExtractView(extractor, camera, second_pose), 0);
   const Frame& first = map.keyframe(0).frame;
   const Frame& second = map.keyframe(1).frame;
   double squared_before = 0, squared_after = 0;
@@ -81,7 +81,7 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
     ++num_seen;
     const LandmarkId id = map.AddLandmark(point, {{0, k}, {1, seen}});
     const double before = (second.pixel(seen) - expected).norm() / scales[octave];
-    if (!AlignObservation(id, {1, seen}, map)) continue;
+    if (!AlignTrackElement(id, {1, seen}, map)) continue;
     ++num_aligned;
     squared_before += before * before;
     squared_after +=
@@ -98,10 +98,10 @@ TEST(LandmarkAlignmentTest, TheReferenceStays) {
   const Camera camera = test::PinholeCamera();
   const orb::Extractor extractor;
   Map map(test::MakeModel());
-  map.AddKeyframe(Photograph(extractor, camera, SE3()), 0);
-  map.AddKeyframe(Photograph(extractor, camera, SE3(SO3(), {0.1, 0, 0})), 0);
+  map.AddKeyframe(ExtractView(extractor, camera, SE3()), 0);
+  map.AddKeyframe(ExtractView(extractor, camera, SE3(SO3(), {0.1, 0, 0})), 0);
   const LandmarkId id = map.AddLandmark(OnWall(map.keyframe(0).frame, 5), {{0, 5}, {1, 5}});
-  EXPECT_FALSE(AlignObservation(id, {0, 5}, map));
+  EXPECT_FALSE(AlignTrackElement(id, {0, 5}, map));
   EXPECT_EQ(map.keyframe(0).frame.pixel(5), map.keyframe(0).frame.detected_pixel(5));
 }
 

@@ -13,18 +13,18 @@ namespace {
 
 constexpr double kSigmaPx = 2;
 
-/// Of a point that cameras at the centres see, all of them turned to +z.
+/// Of a point that cameras at the centers see, all of them turned to +z.
 Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
-                             const std::vector<Eigen::Vector3d>& centres) {
+                             const std::vector<Eigen::Vector3d>& centers) {
   const Camera camera = test::PinholeCamera();
   test::PointScene scene;
   test::Random random(1);
   scene.in_world = {point};
   scene.descriptors = {test::RandomDescriptor(random)};
   Map map(test::MakeModel(kSigmaPx));
-  std::vector<Observation> observations;
-  for (const Eigen::Vector3d& centre : centres) {
-    const SE3 pose(SO3(), centre);
+  std::vector<TrackElement> observations;
+  for (const Eigen::Vector3d& center : centers) {
+    const SE3 pose(SO3(), center);
     observations.push_back(
         {map.AddKeyframe(test::ObserveScene(scene, camera, pose, 0, random).frame, 0), 0});
   }
@@ -32,8 +32,8 @@ Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
   return LandmarkCovariance(map, *map.FindLandmark(id));
 }
 
-TEST(LandmarkCovarianceTest, ASightingTellsWhatLiesAcrossItsRay) {
-  // σ d / f = 2 * 5 / 500 across; along 10 d = 50. Two sightings along one ray halve both.
+TEST(LandmarkCovarianceTest, AObservationTellsWhatLiesAcrossItsRay) {
+  // σ d / f = 2 * 5 / 500 across; along 10 d = 50. Two observations along one ray halve both.
   const Eigen::Matrix3d covariance = CovarianceAt({0, 0, 5}, {{0, 0, 0}, {0, 0, 0}});
   EXPECT_THAT(
       covariance,

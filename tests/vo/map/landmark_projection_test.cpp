@@ -38,7 +38,7 @@ TEST(LandmarkProjectionTest, OutOfSight) {
   EXPECT_FALSE(ViewFrom(At(0, 0, 11)));   // Behind.
   EXPECT_FALSE(ViewFrom(At(0, 0, -20)));  // Too far for octave 0.
   EXPECT_FALSE(ViewFrom(At(0, 0, 8)));    // Too near for the last octave.
-  EXPECT_FALSE(ViewFrom(SE3(SO3::Exp({0, 1, 0}), Eigen::Vector3d::Zero())));  // Beside the picture.
+  EXPECT_FALSE(ViewFrom(SE3(SO3::Exp({0, 1, 0}), Eigen::Vector3d::Zero())));  // Inflated the image.
   const SE3 beside(SO3::Exp({0, -1.2, 0}), Eigen::Vector3d(9.5, 0, 6.5));
   EXPECT_FALSE(ViewFrom(beside));  // More than 60 degrees aside.
 }

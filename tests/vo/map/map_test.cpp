@@ -40,14 +40,14 @@ void ExpectConsistent(const Map& map) {
       if (frame.landmarks[k] == kNoId) continue;
       const Landmark* landmark = map.FindLandmark(frame.landmarks[k]);
       ASSERT_THAT(landmark, NotNull());
-      EXPECT_THAT(landmark->observations, ::testing::Contains(Observation{id, k}));
+      EXPECT_THAT(landmark->track, ::testing::Contains(TrackElement{id, k}));
     }
   }
   for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
-    EXPECT_GE(landmark->observations.size(), 2u);
-    for (const Observation& o : landmark->observations) {
+    EXPECT_GE(landmark->track.size(), 2u);
+    for (const TrackElement& o : landmark->track) {
       EXPECT_EQ(map.keyframe(o.keyframe).frame.landmarks[o.keypoint], id);
     }
   }
@@ -68,8 +68,7 @@ class MapTest : public ::testing::Test {
 TEST_F(MapTest, LandmarkAndKeypointsNameEachOther) {
   const LandmarkId id = map_.AddLandmark({1, 2, 3}, {{2, 4}, {0, 1}});
   EXPECT_EQ(id, 0);
-  EXPECT_THAT(map_.FindLandmark(id)->observations,
-              ElementsAre(Observation{0, 1}, Observation{2, 4}));
+  EXPECT_THAT(map_.FindLandmark(id)->track, ElementsAre(TrackElement{0, 1}, TrackElement{2, 4}));
   EXPECT_EQ(map_.keyframe(0).frame.landmarks[1], id);
   EXPECT_EQ(map_.keyframe(2).frame.landmarks[4], id);
 }
@@ -79,16 +78,16 @@ TEST_F(MapTest, KeyframeBringsItsLandmarks) {
   Frame frame = MakeBareFrame(3);
   frame.landmarks[2] = id;
   const KeyframeId keyframe = map_.AddKeyframe(frame, 0);
-  EXPECT_THAT(map_.FindLandmark(id)->observations,
-              ElementsAre(Observation{0, 1}, Observation{2, 4}, Observation{keyframe, 2}));
+  EXPECT_THAT(map_.FindLandmark(id)->track,
+              ElementsAre(TrackElement{0, 1}, TrackElement{2, 4}, TrackElement{keyframe, 2}));
 }
 
 TEST_F(MapTest, LandmarkGoesWithItsSecondLastObservation) {
   const LandmarkId id = map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
-  map_.RemoveObservation(id, 3);
-  map_.RemoveObservation(id, 1);
+  map_.RemoveTrackElement(id, 3);
+  map_.RemoveTrackElement(id, 1);
   EXPECT_THAT(map_.FindLandmark(id), NotNull());
-  map_.RemoveObservation(id, 0);
+  map_.RemoveTrackElement(id, 0);
   EXPECT_THAT(map_.FindLandmark(id), IsNull());
   EXPECT_EQ(map_.Resolve(id), kNoId);
   EXPECT_EQ(map_.keyframe(2).frame.landmarks[0], kNoId);
@@ -104,9 +103,8 @@ TEST_F(MapTest, MergedLandmarkKeepsBothSetsAndResolves) {
   EXPECT_EQ(map_.Resolve(b), a);
   EXPECT_EQ(map_.Resolve(a), a);
   EXPECT_EQ(map_.Resolve(kNoId), kNoId);
-  EXPECT_THAT(
-      map_.FindLandmark(a)->observations,
-      ElementsAre(Observation{0, 0}, Observation{1, 0}, Observation{2, 1}, Observation{3, 2}));
+  EXPECT_THAT(map_.FindLandmark(a)->track, ElementsAre(TrackElement{0, 0}, TrackElement{1, 0},
+                                                       TrackElement{2, 1}, TrackElement{3, 2}));
   EXPECT_EQ(map_.keyframe(1).frame.landmarks[1], kNoId);  // One keypoint a keyframe.
 }
 
@@ -146,7 +144,7 @@ TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
   const LandmarkId both = map_.AddLandmark({1, 2, 3}, {{0, 3}, {1, 3}});
   const LandmarkId longer = map_.AddLandmark({4, 5, 6}, {{0, 1}, {1, 1}, {2, 1}});
   const LandmarkId elsewhere = map_.AddLandmark({7, 8, 9}, {{2, 2}, {3, 2}});
-  const std::vector<FinishedLandmark> finished = map_.MarginalizeKeyframe(0);
+  const std::vector<MarginalizedLandmark> finished = map_.MarginalizeKeyframe(0);
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].id, both);
   EXPECT_EQ(finished[0].segment, 0);
@@ -154,8 +152,8 @@ TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
   EXPECT_THAT(map_.FindLandmark(both), IsNull());
   EXPECT_EQ(map_.Resolve(both), kNoId);
   EXPECT_EQ(map_.keyframe(1).frame.landmarks[3], kNoId);
-  EXPECT_THAT(map_.FindLandmark(longer)->observations,
-              ElementsAre(Observation{1, 1}, Observation{2, 1}));
+  EXPECT_THAT(map_.FindLandmark(longer)->track,
+              ElementsAre(TrackElement{1, 1}, TrackElement{2, 1}));
   EXPECT_THAT(map_.FindLandmark(elsewhere), NotNull());
   EXPECT_EQ(map_.num_landmarks(), 2);
   EXPECT_EQ(map_.AddLandmark({1, 2, 3}, {{1, 0}, {2, 0}}), 3);  // Ids are not used again.
@@ -183,7 +181,7 @@ TEST_F(MapTest, WhatLeavesGivesItsMemoryBack) {
   map_.MarginalizeKeyframe(second);
   constexpr std::size_t kBuckets = 4096;  // A hash map's table does not shrink.
   EXPECT_LT(map_.working_set_bytes(), before + kBuckets);
-  EXPECT_LE(map_.place_bytes(), 100u * static_cast<std::size_t>(map_.num_keyframes()));
+  EXPECT_LE(map_.keyframe_bytes(), 100u * static_cast<std::size_t>(map_.num_keyframes()));
 }
 
 TEST_F(MapTest, CovisibleKeyframesComeMostSharedThenNewestFirst) {

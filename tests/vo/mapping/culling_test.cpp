@@ -64,7 +64,7 @@ TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
   const LandmarkId recent = map_.AddLandmark({0, 0, 5}, {{3, 2}, {4, 2}});
   EXPECT_TRUE(MarginalizeKeyframes(5, {}, map_).empty());
   EXPECT_EQ(map_.ActiveKeyframes().size(), 5u);
-  const std::vector<FinishedLandmark> finished = MarginalizeKeyframes(2, {}, map_);
+  const std::vector<MarginalizedLandmark> finished = MarginalizeKeyframes(2, {}, map_);
   EXPECT_THAT(map_.ActiveKeyframes(), ::testing::ElementsAre(1, 3, 4));
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].id, old);

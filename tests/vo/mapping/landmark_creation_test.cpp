@@ -17,8 +17,8 @@ TEST_F(LandmarkCreationTest, NewLandmarksLieWhereThePointsAre) {
   EXPECT_EQ(num_created, map_.num_landmark_ids() - first_new);
   for (LandmarkId id = first_new; id < map_.num_landmark_ids(); ++id) {
     const Landmark& landmark = *map_.FindLandmark(id);
-    const int point = PointOf(landmark.observations[0]);
-    EXPECT_EQ(PointOf(landmark.observations[1]), point);
+    const int point = PointOf(landmark.track[0]);
+    EXPECT_EQ(PointOf(landmark.track[1]), point);
     EXPECT_LT((landmark.in_world - scene_.in_world[point]).norm(),
               0.1 * scene_.in_world[point].norm());
   }

@@ -17,7 +17,7 @@ TEST_F(LandmarkFusionTest, FusionJoinsWhatIsKnownTwice) {
   // Each of 50 more points becomes two landmarks, of the views 0 and 1 and of the views 2 and 3.
   int num_twice = 0;
   for (int point = 100; point < 150; ++point) {
-    const std::vector<Observation> all = ObservationsOf(point);
+    const std::vector<TrackElement> all = ObservationsOf(point);
     if (all.size() != 4) continue;
     ++num_twice;
     for (const auto& half : {std::vector{all[0], all[1]}, std::vector{all[2], all[3]}}) {
@@ -30,9 +30,9 @@ TEST_F(LandmarkFusionTest, FusionJoinsWhatIsKnownTwice) {
   for (LandmarkId id = 0; id < map_.num_landmark_ids(); ++id) {
     const Landmark* landmark = map_.FindLandmark(id);
     if (landmark == nullptr) continue;
-    const int point = PointOf(landmark->observations[0]);
+    const int point = PointOf(landmark->track[0]);
     ++landmarks_of_point[point];
-    for (const Observation& o : landmark->observations) EXPECT_EQ(PointOf(o), point);
+    for (const TrackElement& o : landmark->track) EXPECT_EQ(PointOf(o), point);
   }
   int num_still_twice = 0;
   for (const auto& [point, count] : landmarks_of_point) num_still_twice += count > 1;
@@ -43,8 +43,8 @@ TEST_F(LandmarkFusionTest, FusionAddsMissingObservations) {
   MakeViews(3, 200);
   int num_removed = 0;
   for (LandmarkId id = 0; id < map_.num_landmark_ids(); id += 2) {
-    if (map_.FindLandmark(id)->observations.size() < 3) continue;
-    map_.RemoveObservation(id, 2);
+    if (map_.FindLandmark(id)->track.size() < 3) continue;
+    map_.RemoveTrackElement(id, 2);
     ++num_removed;
   }
   const int num_fused = FuseLandmarks(2, options_, kMaxDistance, map_).num_fused;

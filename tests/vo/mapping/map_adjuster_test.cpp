@@ -96,14 +96,14 @@ TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
   EXPECT_FALSE(adjuster.Finish(kEnd, map));
 }
 
-TEST(MapAdjusterTest, FindsTheCameraThatThePicturesWereTakenWith) {
+TEST(MapAdjusterTest, FindsTheCameraThatTheImagesWereTakenWith) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
   MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(map, 0);
   EXPECT_EQ(map.camera().parameters().k1, 0);
   adjuster.Finish(kEnd, map);
-  EXPECT_FALSE(adjuster.contradicts_given_camera());
+  EXPECT_FALSE(adjuster.prior_rejected());
   EXPECT_NEAR(map.camera().parameters().k1, 0.04, 0.01);
   EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
 }
@@ -152,7 +152,7 @@ TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(map, 0);
   adjuster.Finish(kEnd, map);
-  EXPECT_TRUE(adjuster.contradicts_given_camera());
+  EXPECT_TRUE(adjuster.prior_rejected());
   EXPECT_EQ(map.camera().parameters().k1, 0);
   MapAdjuster fixed = MakeAdjuster(FixedCamera());
   fixed.Start(with_fixed_camera, 0);

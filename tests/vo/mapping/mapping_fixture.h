@@ -22,15 +22,15 @@ class MappingTest : public ::testing::Test {
       map_.AddKeyframe(views_.back().frame, 0);
     }
     for (int point = 0; point < num_known; ++point) {
-      std::vector<Observation> observations = ObservationsOf(point);
+      std::vector<TrackElement> observations = ObservationsOf(point);
       if (observations.size() < 2) continue;
       const LandmarkId id = map_.AddLandmark(scene_.in_world[point], observations);
       map_.UpdateAppearance(id);
     }
   }
 
-  std::vector<Observation> ObservationsOf(int point) const {
-    std::vector<Observation> observations;
+  std::vector<TrackElement> ObservationsOf(int point) const {
+    std::vector<TrackElement> observations;
     for (int v = 0; v < static_cast<int>(views_.size()); ++v) {
       for (int k = 0; k < static_cast<int>(views_[v].points.size()); ++k) {
         if (views_[v].points[k] == point) observations.push_back({v, k});
@@ -39,7 +39,7 @@ class MappingTest : public ::testing::Test {
     return observations;
   }
 
-  int PointOf(const Observation& o) const { return views_[o.keyframe].points[o.keypoint]; }
+  int PointOf(const TrackElement& o) const { return views_[o.keyframe].points[o.keypoint]; }
 
   double step_ = 0.4;
   Random random_{1};

@@ -6,14 +6,14 @@
 #include <limits>
 
 #include "tests/support/matchers.h"
-#include "tests/vo/optimization/film.h"
+#include "tests/vo/optimization/observed_bundle.h"
 
 namespace corvo {
 namespace {
 
 constexpr double kNoisePx = 0.5;
 
-/// With the principal point in the picture's centre, as it is assumed.
+/// With the principal point in the image's center, as it is assumed.
 CameraParameters Centered() {
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.cx = 0.5 * (camera.width - 1);
@@ -24,12 +24,12 @@ CameraParameters Centered() {
 /// Candidates of all kinds for the film of a camera, from a start 4% too long.
 std::vector<CameraCandidate> AdjustAll(const CameraParameters& truth) {
   test::Random random(1);
-  const std::vector<Bundle> bundles{test::Film(Camera(truth), 12, kNoisePx, random)};
+  const std::vector<Bundle> bundles{test::MakeObservedBundle(Camera(truth), 12, kNoisePx, random)};
   CameraParameters start = Centered();
   start.fx *= 1.04;
   start.fy *= 1.04;
   std::vector<CameraCandidate> candidates;
-  for (const CameraDescription description : AllCameraDescriptions()) {
+  for (const CalibrationModel description : AllCalibrationModels()) {
     candidates.push_back(AdjustCandidate(description, Camera(start), bundles));
   }
   return candidates;
@@ -39,7 +39,7 @@ TEST(CameraSelectionTest, ACameraWithoutDistortionIsDescribedAsOne) {
   const std::vector<CameraCandidate> candidates = AdjustAll(Centered());
   const int selected = SelectCandidate(candidates);
   ASSERT_NE(selected, kNoId);
-  EXPECT_EQ(candidates[selected].description, CameraDescription::kPinhole);
+  EXPECT_EQ(candidates[selected].description, CalibrationModel::kPinhole);
   EXPECT_NEAR(candidates[selected].adjustment.camera.fx, Centered().fx, 0.01 * Centered().fx);
 }
 
@@ -51,7 +51,7 @@ TEST(CameraSelectionTest, DistortionIsNotLeftOut) {
   const std::vector<CameraCandidate> candidates = AdjustAll(truth);
   const int selected = SelectCandidate(candidates);
   ASSERT_NE(selected, kNoId);
-  EXPECT_EQ(candidates[selected].description, CameraDescription::kRadtan);
+  EXPECT_EQ(candidates[selected].description, CalibrationModel::kRadtan);
   EXPECT_NEAR(candidates[selected].adjustment.camera.fx, truth.fx, 0.01 * truth.fx);
   EXPECT_NEAR(candidates[selected].adjustment.camera.k1, truth.k1, 0.02);
 }
@@ -75,12 +75,12 @@ TEST(CameraSelectionTest, WhatWasNotLoweredIsNotTaken) {
   EXPECT_EQ(SelectCandidate({Candidate(3, infinity)}), kNoId);
   EXPECT_EQ(SelectCandidate({}), kNoId);
   EXPECT_EQ(
-      AdjustCandidate(CameraDescription::kPinhole, test::PinholeCamera(), {}).information_criterion,
+      AdjustCandidate(CalibrationModel::kPinhole, test::PinholeCamera(), {}).information_criterion,
       infinity);
 }
 
 TEST(CameraSelectionTest, OfTheFocalLengthNothingIsKnownBefore) {
-  for (const CameraDescription description : AllCameraDescriptions()) {
+  for (const CalibrationModel description : AllCalibrationModels()) {
     const CameraPrior prior = PriorOf(description, test::PinholeCamera());
     prior.Validate();
     EXPECT_EQ(prior.free.front(), FreeParameter{"focal"}) << ToString(description);

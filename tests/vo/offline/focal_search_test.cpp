@@ -17,8 +17,8 @@ namespace {
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 
-/// How a scene is seen by pairs of pictures.
-struct Film {
+/// How a scene is seen by pairs of images.
+struct ViewPair {
   double focal = 500;
   double noise_px = 0;
   int wrong_every = 0;  ///< Of so many matches one is wrong; 0: none.
@@ -37,25 +37,25 @@ SE3 MoveForward(test::Random& random) { return SE3(SO3(), {0, 0, random.Uniform(
 
 SE3 MoveAside(test::Random& random) { return SE3(SO3(), {random.Uniform(0.3, 0.8), 0.1, 0}); }
 
-PixelMatches MatchViews(const Film& film, test::Random& random) {
+PixelMatches MatchViews(const ViewPair& pair, test::Random& random) {
   const Camera camera({.width = kWidth,
                        .height = kHeight,
-                       .fx = film.focal,
-                       .fy = film.focal,
+                       .fx = pair.focal,
+                       .fy = pair.focal,
                        .cx = 0.5 * (kWidth - 1),
                        .cy = 0.5 * (kHeight - 1)});
   const test::PointScene scene =
-      film.is_plane ? test::MakePlaneScene(600, 6, random) : test::MakeBoxScene(600, 3, 12, random);
-  const SE3 second_from_first = film.first_from_second(random).Inverse();
+      pair.is_plane ? test::MakePlaneScene(600, 6, random) : test::MakeBoxScene(600, 3, 12, random);
+  const SE3 second_from_first = pair.first_from_second(random).Inverse();
   PixelMatches matches;
   for (const Eigen::Vector3d& in_first : scene.in_world) {
     const auto first = camera.Project(in_first);
     const auto second = camera.Project(second_from_first * in_first);
     if (!first || !second || !camera.Contains(*first) || !camera.Contains(*second)) continue;
     PixelMatch match{*first, *second, 1};
-    for (double& u : match.first) u += random.Gaussian(film.noise_px);
-    for (double& u : match.second) u += random.Gaussian(film.noise_px);
-    if (film.wrong_every > 0 && matches.size() % film.wrong_every == 0) {
+    for (double& u : match.first) u += random.Gaussian(pair.noise_px);
+    for (double& u : match.second) u += random.Gaussian(pair.noise_px);
+    if (pair.wrong_every > 0 && matches.size() % pair.wrong_every == 0) {
       match.second = {random.Uniform(0, kWidth), random.Uniform(0, kHeight)};
     }
     matches.push_back(match);
@@ -63,10 +63,10 @@ PixelMatches MatchViews(const Film& film, test::Random& random) {
   return matches;
 }
 
-FocalSearchResult Search(const Film& film, int seed = 1) {
+FocalSearchResult Search(const ViewPair& pair, int seed = 1) {
   test::Random random(seed);
   std::vector<PixelMatches> pairs;
-  for (int i = 0; i < film.num_pairs; ++i) pairs.push_back(MatchViews(film, random));
+  for (int i = 0; i < pair.num_pairs; ++i) pairs.push_back(MatchViews(pair, random));
   return SearchFocal(pairs, kWidth, kHeight);
 }
 
@@ -128,7 +128,7 @@ TEST(FocalSearch, PairsThatTellNothingDoNotHideThoseThatDo) {
   EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
 }
 
-TEST(FocalSearch, IsAPinholeInTheCentreAndTellsItsSweep) {
+TEST(FocalSearch, IsAPinholeInTheCenterAndTellsItsSweep) {
   const FocalSearchResult result = Search({.num_pairs = 2, .first_from_second = TurnAndMove});
   EXPECT_EQ(result.camera.cx, 319.5);
   EXPECT_EQ(result.camera.cy, 239.5);
@@ -152,9 +152,9 @@ TEST(FocalSearch, WithoutMatchesTakesAnUsualLensAndSaysSo) {
 
 TEST(FocalSearch, GivesTheSameBitsAgain) {
   CORVO_SKIP_IF_SHORT();
-  const Film film = {.noise_px = 0.7, .wrong_every = 4, .first_from_second = TurnAndMove};
-  const FocalSearchResult once = Search(film);
-  const FocalSearchResult again = Search(film);
+  const ViewPair pair = {.noise_px = 0.7, .wrong_every = 4, .first_from_second = TurnAndMove};
+  const FocalSearchResult once = Search(pair);
+  const FocalSearchResult again = Search(pair);
   EXPECT_EQ(once.camera, again.camera);
   EXPECT_EQ(once.focal_sigma, again.focal_sigma);
 }

@@ -21,26 +21,27 @@ struct Recorded {
   explicit Recorded(const OdometryOptions& options = {},
                     const Camera& camera = test::PinholeCamera())
       : odometry(camera, options) {
-    odometry.SetSightingsSink([this](const FrameSightings& seen) { told.push_back(seen); });
+    odometry.SetObservationCallback(
+        [this](const FrameObservations& seen) { told.push_back(seen); });
   }
   Recorded(const Recorded&) = delete;
   Recorded& operator=(const Recorded&) = delete;
 
   void Drive(int num_frames, std::uint64_t seed) { Drive(test::MakeDrive(num_frames, seed)); }
 
-  void Drive(const std::vector<cv::Mat>& pictures) {
-    for (const cv::Mat& picture : pictures) odometry.Process(picture, time_ns += kFrameTime);
+  void Drive(const std::vector<cv::Mat>& images) {
+    for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
     odometry.Finish();
   }
 
-  SightingsSource Source() const {
-    return [this](const SightingsSink& visit) {
-      for (const FrameSightings& seen : told) visit(seen);
+  ObservationSource Source() const {
+    return [this](const ObservationCallback& visit) {
+      for (const FrameObservations& seen : told) visit(seen);
     };
   }
 
   Odometry odometry;
-  std::vector<FrameSightings> told;
+  std::vector<FrameObservations> told;
   TimeNs time_ns = 0;
 };
 
@@ -69,7 +70,7 @@ TEST(RefinerTest, LowersTheCostAndAccountsForEveryFrame) {
   recorded.Drive(40, 1);
   const Trajectory plain = recorded.odometry.GetTrajectory();
   const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
   EXPECT_LT(refined.adjustment.final_cost, refined.adjustment.initial_cost);
   EXPECT_LT(DriveError(refined.trajectory), 1.1 * DriveError(plain));
   EXPECT_GT(refined.landmarks.size(), 100u);
@@ -116,7 +117,7 @@ TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
   Recorded newest(options, test::LongDriveCamera());
   newest.Drive(drive);
   std::set<KeyframeId> left;
-  for (const FrameSightings& seen : newest.told) {
+  for (const FrameObservations& seen : newest.told) {
     if (seen.keyframe == kNoId) continue;
     if (!newest.odometry.map().IsActive(seen.keyframe)) left.insert(seen.keyframe);
     EXPECT_EQ(seen.in_world.size(), seen.landmarks.size());
@@ -124,10 +125,10 @@ TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
   ASSERT_GT(left.size(), 5u);
   const Refinement all = Refine(everything.odometry, everything.Source());
   const Refinement some = Refine(newest.odometry, newest.Source());
-  ASSERT_EQ(some.adjustment.outcome, AdjustmentOutcome::kLowered);
+  ASSERT_EQ(some.adjustment.outcome, AdjustmentOutcome::kImproved);
   EXPECT_EQ(some.num_adjusted, all.num_adjusted);
-  EXPECT_NEAR(some.adjustment.num_sightings, all.adjustment.num_sightings,
-              0.01 * all.adjustment.num_sightings);
+  EXPECT_NEAR(some.adjustment.num_observations, all.adjustment.num_observations,
+              0.01 * all.adjustment.num_observations);
   for (std::size_t i = 0; i < drive.size(); ++i) {
     const auto& expected = all.trajectory.frames[i].world_from_camera;
     if (!expected) continue;
@@ -141,14 +142,15 @@ TEST(RefinerTest, MergedLandmarksAreOne) {
   Recorded recorded;
   recorded.Drive(40, 1);
   std::set<LandmarkId> merged;
-  for (const FrameSightings& seen : recorded.told) {
+  for (const FrameObservations& seen : recorded.told) {
     for (const LandmarkMerge& merge : seen.merges) {
       EXPECT_TRUE(merged.insert(merge.from).second) << "merged twice";
       EXPECT_EQ(merged.count(merge.into), 0u) << "into what is no more";
     }
   }
   ASSERT_FALSE(merged.empty());
-  for (const FinishedLandmark& landmark : Refine(recorded.odometry, recorded.Source()).landmarks) {
+  for (const MarginalizedLandmark& landmark :
+       Refine(recorded.odometry, recorded.Source()).landmarks) {
     EXPECT_EQ(merged.count(landmark.id), 0u);
   }
 }
@@ -165,7 +167,7 @@ TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
   }
   ASSERT_EQ(segments.size(), 2u);
   const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
   for (const int segment : segments) {
     for (std::size_t i = 0; i < plain.frames.size(); ++i) {
       const FrameResult& frame = plain.frames[i];
@@ -181,7 +183,7 @@ TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
 TEST(RefinerTest, FallsBackToThePlainTrajectory) {
   Recorded recorded;
   recorded.Drive(20, 1);
-  FrameSightings broken{1000, 0, 0, {}, {}, {}};
+  FrameObservations broken{1000, 0, 0, {}, {}, {}};
   for (LandmarkId id = 0; id < 50; ++id) {
     broken.landmarks.push_back({id, {std::numeric_limits<float>::quiet_NaN(), 0}, 1});
     broken.in_world.emplace_back(0, 0, 5);
@@ -193,7 +195,7 @@ TEST(RefinerTest, FallsBackToThePlainTrajectory) {
   ExpectSamePoses(refined.trajectory, recorded.odometry.GetTrajectory());
   const Recorded nothing;
   EXPECT_EQ(Refine(nothing.odometry, nothing.Source()).adjustment.outcome,
-            AdjustmentOutcome::kNoSightings);
+            AdjustmentOutcome::kNoObservations);
 }
 
 TEST(RefinerTest, GivesTheSameBitsTwice) {
@@ -215,7 +217,7 @@ TEST(RefinerTest, ACameraTakenAsExactStays) {
   recorded.Drive(20, 1);
   EXPECT_EQ(PriorOf(recorded.odometry).num_free(), 0);
   const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kLowered);
+  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
   EXPECT_EQ(refined.adjustment.camera, test::PinholeCamera().parameters());
 }
 

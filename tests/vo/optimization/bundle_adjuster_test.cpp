@@ -43,7 +43,7 @@ void Disturb(Map& map, int num_kept, test::Random& random) {
 
 struct Adjusted {
   AdjustmentResult result;
-  std::vector<Observation> outliers;
+  std::vector<TrackElement> outliers;
 };
 
 Adjusted AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
@@ -62,10 +62,10 @@ TEST(BundleAdjusterTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
   BundleAdjusterOptions options;
   options.max_keyframes = 3;
   const AdjustmentWindow window = SelectWindow(map, 5, options);
-  EXPECT_THAT(window.moving, ElementsAre(3, 4, 5));
-  EXPECT_THAT(window.held, ElementsAre(0, 1, 2));
+  EXPECT_THAT(window.free, ElementsAre(3, 4, 5));
+  EXPECT_THAT(window.fixed, ElementsAre(0, 1, 2));
   for (const LandmarkId id : window.landmarks) {
-    EXPECT_GE(map.FindLandmark(id)->observations.back().keyframe, 3);
+    EXPECT_GE(map.FindLandmark(id)->track.back().keyframe, 3);
   }
 }
 
@@ -77,8 +77,8 @@ TEST(BundleAdjusterTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
   options.max_keyframes = 3;
   options.min_shared_landmarks = 10000;
   const AdjustmentWindow window = SelectWindow(map, 5, options);
-  EXPECT_THAT(window.moving, ElementsAre(5));
-  EXPECT_THAT(window.held, IsEmpty());
+  EXPECT_THAT(window.free, ElementsAre(5));
+  EXPECT_THAT(window.fixed, IsEmpty());
 }
 
 TEST(BundleAdjusterTest, HeldKeyframesRestoreTheExactMap) {
@@ -117,9 +117,9 @@ TEST(BundleAdjusterTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
   const LandmarkId landmark = map.keyframe(4).frame.landmarks[wrong];
   ASSERT_NE(landmark, kNoId);
   const Map before = map;
-  const std::vector<Observation> outliers = AdjustAround(map, 4, 3).outliers;
-  EXPECT_THAT(outliers, Contains(Observation{4, wrong}));
-  for (const Observation& outlier : outliers) {  // The point that it pulls at, and no other.
+  const std::vector<TrackElement> outliers = AdjustAround(map, 4, 3).outliers;
+  EXPECT_THAT(outliers, Contains(TrackElement{4, wrong}));
+  for (const TrackElement& outlier : outliers) {  // The point that it pulls at, and no other.
     EXPECT_EQ(before.keyframe(outlier.keyframe).frame.landmarks[outlier.keypoint], landmark);
   }
   EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);

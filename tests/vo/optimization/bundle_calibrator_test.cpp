@@ -13,7 +13,7 @@ namespace corvo {
 namespace {
 
 constexpr double kSigmaPx = 0.5;
-constexpr double kNoisePx = 0.3;  ///< Less, as in pictures: an estimate counts on it.
+constexpr double kNoisePx = 0.3;  ///< Less, as in images: an estimate counts on it.
 
 enum class Path { kTurning, kStraight, kTurnInPlace };
 
@@ -31,7 +31,7 @@ SE3 PoseAt(Path path, int view) {
 }
 
 /// Keyframes with their true poses and landmarks at their true places, seen by `camera`.
-Map FilmMap(const Camera& camera, Path path, test::Random& random) {
+Map MakeViewMap(const Camera& camera, Path path, test::Random& random) {
   constexpr int kViews = 10;
   const test::PointScene scene = test::MakeBoxScene(600, 6, 30, random);
   std::vector<test::SceneView> views;
@@ -43,8 +43,8 @@ Map FilmMap(const Camera& camera, Path path, test::Random& random) {
 
 Bundle CopyAll(const Map& map) {
   AdjustmentWindow window;
-  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) window.moving.push_back(id);
-  window.landmarks = map.FindSeen(window.moving);
+  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) window.free.push_back(id);
+  window.landmarks = map.FindObserved(window.free);
   return CopyBundle(map, window);
 }
 
@@ -52,7 +52,7 @@ Bundle CopyAll(const Map& map) {
 CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
                         test::Random& random) {
   const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
-  Bundle bundle = CopyAll(FilmMap(Camera(prior.Apply(truth)), path, random));
+  Bundle bundle = CopyAll(MakeViewMap(Camera(prior.Apply(truth)), path, random));
   AdjustBundle(Camera(prior.given), BundleAdjusterOptions(), bundle);
   const auto estimate = CalibrateBundle(prior, Eigen::Vector3d::Zero(), options, bundle);
   EXPECT_TRUE(estimate);

@@ -23,7 +23,7 @@ class WriteBackTest : public ::testing::Test {
     }
     map_ = test::MakeMap(scene_, views);
     AdjustmentWindow window{{0, 1, 2}, {}, {}};
-    for (const LandmarkId id : map_.FindSeen({0, 1, 2})) {
+    for (const LandmarkId id : map_.FindObserved({0, 1, 2})) {
       if (id % 2 == 0) window.landmarks.push_back(id);
     }
     bundle_ = CopyBundle(map_, window);
@@ -56,7 +56,7 @@ TEST_F(WriteBackTest, WhatIsNotInTheBundleGoesAlong) {
                 test::IsPoseNear(TransformPose(move, before.WorldFromKeyframe(id)), 1e-9, 1e-9))
         << id;
   }
-  for (const LandmarkId id : map_.FindSeen({0, 1, 2, 3})) {
+  for (const LandmarkId id : map_.FindObserved({0, 1, 2, 3})) {
     EXPECT_THAT(map_.FindLandmark(id)->in_world,
                 test::IsMatrixNear(move * before.FindLandmark(id)->in_world, 1e-9))
         << id;
@@ -64,7 +64,7 @@ TEST_F(WriteBackTest, WhatIsNotInTheBundleGoesAlong) {
 }
 
 TEST_F(WriteBackTest, WhatOnlyHeldViewsSeeStays) {
-  for (Bundle::View& view : bundle_.views) view.is_held = true;
+  for (Bundle::View& view : bundle_.views) view.is_fixed = true;
   const Map before = map_;
   Move(Sim3(1, SO3(), {1, 0, 0}));
   WriteBack(bundle_, map_);
@@ -76,11 +76,12 @@ TEST_F(WriteBackTest, WhatOnlyHeldViewsSeeStays) {
 TEST_F(WriteBackTest, WhatHasLeftIsNotMissed) {
   const LandmarkId removed = bundle_.points[0].landmark;
   const LandmarkId changed = bundle_.points[1].landmark;
-  const Observation observation = map_.FindLandmark(changed)->observations.front();
+  const TrackElement element = map_.FindLandmark(changed)->track.front();
   map_.RemoveLandmark(removed);
-  map_.RemoveObservation(changed, observation.keyframe);
+  map_.RemoveTrackElement(changed, element.keyframe);
   map_.CullKeyframe(1, 0);
-  for (Bundle::Sighting& sighting : bundle_.sightings) sighting.is_inlier = sighting.point > 1;
+  for (Bundle::Observation& observation : bundle_.observations)
+    observation.is_inlier = observation.point > 1;
   WriteBack(bundle_, map_);
   EXPECT_EQ(map_.FindLandmark(removed), nullptr);
   EXPECT_FALSE(map_.IsActive(1));

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/support/matchers.h"
-#include "tests/vo/optimization/film.h"
+#include "tests/vo/optimization/observed_bundle.h"
 
 namespace corvo {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
   test::Random random(2);
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
-  const Bundle bundle = test::Film(test::PinholeCamera(), 10, 0.5, random);
+  const Bundle bundle = test::MakeObservedBundle(test::PinholeCamera(), 10, 0.5, random);
   const Eigen::MatrixXd once = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle});
   const Eigen::MatrixXd twice = CameraCovariance(prior, Eigen::Vector3d::Zero(), {bundle, bundle});
   ASSERT_TRUE(once.allFinite());
@@ -21,7 +21,7 @@ TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
               test::IsMatrixNear(Eigen::Matrix3d(Eigen::Matrix3d::Constant(0.5)), 1e-3));
 }
 
-TEST(CameraCovarianceTest, WithoutSightingsItIsThePrior) {
+TEST(CameraCovarianceTest, WithoutObservationsItIsThePrior) {
   const CameraPrior prior{test::PinholeCamera().parameters(),
                           {{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}}};
   const Eigen::Vector3d sigmas =

@@ -8,7 +8,7 @@
 
 #include "tests/support/data.h"
 #include "tests/support/matchers.h"
-#include "tests/vo/optimization/film.h"
+#include "tests/vo/optimization/observed_bundle.h"
 
 namespace corvo {
 namespace {
@@ -53,19 +53,19 @@ void ExpectUnchanged(const Bundle& bundle, const Bundle& before) {
 TEST(FullAdjustmentTest, LowersTheCostAndTheError) {
   test::Random random(1);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
   std::vector<Bundle> bundles{truth};
   Disturb(bundles[0], 0.02, random);
   const double error_before = PoseError(bundles[0], truth);
   const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
-  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kImproved);
   EXPECT_LT(result.final_cost, 0.2 * result.initial_cost);
   std::vector<Bundle> from_truth{truth};
   AdjustFully(Exact(camera), camera.parameters(), {}, from_truth);
   EXPECT_LT(PoseError(bundles[0], truth), 1.05 * PoseError(from_truth[0], truth));
   EXPECT_LT(PoseError(bundles[0], truth), 0.5 * error_before);
-  EXPECT_EQ(result.num_sightings, static_cast<int>(truth.sightings.size()));
-  EXPECT_NEAR(result.num_inliers / static_cast<double>(result.num_sightings), 0.97, 0.03);
+  EXPECT_EQ(result.num_observations, static_cast<int>(truth.observations.size()));
+  EXPECT_NEAR(result.num_inliers / static_cast<double>(result.num_observations), 0.97, 0.03);
   EXPECT_NEAR(result.inlier_rms_px, std::sqrt(2.0) * kNoisePx, 0.15);
   EXPECT_EQ(result.camera, camera.parameters());
 }
@@ -73,24 +73,24 @@ TEST(FullAdjustmentTest, LowersTheCostAndTheError) {
 TEST(FullAdjustmentTest, GrossErrorsAreToldAndLeaveNoTrace) {
   test::Random random(2);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
   std::vector<Bundle> bundles{truth};
-  for (std::size_t i = 0; i < bundles[0].sightings.size(); i += 20) {
-    bundles[0].sightings[i].pixel += 40 * random.Vector<2>();
+  for (std::size_t i = 0; i < bundles[0].observations.size(); i += 20) {
+    bundles[0].observations[i].pixel += 40 * random.Vector<2>();
   }
   Disturb(bundles[0], 0.01, random);
   ASSERT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, bundles).outcome,
-            AdjustmentOutcome::kLowered);
+            AdjustmentOutcome::kImproved);
   std::vector<Bundle> clean{truth};
   AdjustFully(Exact(camera), camera.parameters(), {}, clean);
   EXPECT_LT(PoseError(bundles[0], truth), 1.5 * PoseError(clean[0], truth));
   int num_gross = 0, num_kept = 0;
-  for (std::size_t i = 0; i < bundles[0].sightings.size(); i += 20) {
-    const Bundle::Sighting& sighting = bundles[0].sightings[i];
-    const double moved_px = (sighting.pixel - truth.sightings[i].pixel).norm();
+  for (std::size_t i = 0; i < bundles[0].observations.size(); i += 20) {
+    const Bundle::Observation& observation = bundles[0].observations[i];
+    const double moved_px = (observation.pixel - truth.observations[i].pixel).norm();
     if (moved_px <= 10 * kNoisePx) continue;
     ++num_gross;
-    num_kept += sighting.is_inlier;
+    num_kept += observation.is_inlier;
   }
   EXPECT_GT(num_gross, 50);
   EXPECT_LT(num_kept, 0.03 * num_gross);  // Along an epipolar line few views can tell.
@@ -106,7 +106,7 @@ Recovery Recover(const Camera& truth, const CameraParameters& given,
                  const std::vector<std::string>& free, int num_bundles, test::Random& random) {
   std::vector<Bundle> bundles;
   for (int i = 0; i < num_bundles; ++i) {
-    bundles.push_back(test::Film(truth, 12, kNoisePx, random));
+    bundles.push_back(test::MakeObservedBundle(truth, 12, kNoisePx, random));
   }
   CameraPrior prior{given, {}};
   for (const std::string& name : free) prior.free.push_back({name});
@@ -116,7 +116,7 @@ Recovery Recover(const Camera& truth, const CameraParameters& given,
 }
 
 void ExpectRecovered(const Recovery& recovery) {
-  ASSERT_EQ(recovery.result.outcome, AdjustmentOutcome::kLowered);
+  ASSERT_EQ(recovery.result.outcome, AdjustmentOutcome::kImproved);
   const Eigen::VectorXd sigmas = recovery.result.covariance.diagonal().cwiseSqrt();
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
     EXPECT_LT(std::abs(recovery.error[i]), 4 * sigmas[i]) << i;
@@ -163,22 +163,23 @@ TEST(FullAdjustmentTest, ASurePriorHolds) {
   test::Random random(5);
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.k1 = 0.05;
-  std::vector<Bundle> bundles{test::Film(Camera(camera), 12, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(Camera(camera), 12, kNoisePx, random)};
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"k1", 1e-7}}};
   const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
-  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kImproved);
   EXPECT_NEAR(result.camera.k1, 0, 1e-6);
 }
 
-TEST(FullAdjustmentTest, TheSightingsCountAsOftenAsTheyAreSaidTo) {
+TEST(FullAdjustmentTest, TheObservationsCountAsOftenAsTheyAreSaidTo) {
   constexpr double kFactor = 4;
   test::Random random(13);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::Film(camera, 12, kNoisePx, random)}, again = bundles;
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 12, kNoisePx, random)},
+      again = bundles;
   const CameraPrior prior{camera.parameters(), {{"focal", 0.01}, {"k1", 0.01}}};
   const FullAdjustment counted =
       AdjustFully(prior, prior.given, {.information_factor = kFactor}, bundles);
-  const FullAdjustment once = AdjustFully(prior.Beside(kFactor), prior.given, {}, again);
+  const FullAdjustment once = AdjustFully(prior.Inflated(kFactor), prior.given, {}, again);
   EXPECT_EQ(counted.camera, once.camera);
   EXPECT_EQ(counted.final_cost, once.final_cost);
   EXPECT_THAT(Eigen::MatrixXd(kFactor * counted.covariance),
@@ -188,15 +189,15 @@ TEST(FullAdjustmentTest, TheSightingsCountAsOftenAsTheyAreSaidTo) {
 TEST(FullAdjustmentTest, WhatCannotBeLoweredStays) {
   test::Random random(6);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::Film(camera, 8, 0, random)};
-  for (Bundle::Sighting& sighting : bundles[0].sightings) {
-    const Bundle::Point& point = bundles[0].points[sighting.point];
-    sighting.pixel =
-        *camera.Project(bundles[0].views[sighting.view].Pose().Inverse() * point.in_local);
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, 0, random)};
+  for (Bundle::Observation& observation : bundles[0].observations) {
+    const Bundle::Point& point = bundles[0].points[observation.point];
+    observation.pixel =
+        *camera.Project(bundles[0].views[observation.view].Pose().Inverse() * point.in_local);
   }
   const std::vector<Bundle> before = bundles;
   const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
-  EXPECT_EQ(result.outcome, AdjustmentOutcome::kNotLowered);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kNotImproved);
   EXPECT_EQ(result.initial_cost, 0);
   ExpectUnchanged(bundles[0], before[0]);
 }
@@ -204,30 +205,30 @@ TEST(FullAdjustmentTest, WhatCannotBeLoweredStays) {
 TEST(FullAdjustmentTest, WhatCannotBeSolvedStays) {
   test::Random random(7);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::Film(camera, 8, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
-  bundles[0].sightings[5].pixel.x() = std::numeric_limits<double>::quiet_NaN();
+  bundles[0].observations[5].pixel.x() = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Bundle> before = bundles;
   const FullAdjustment result = AdjustFully(Exact(camera), camera.parameters(), {}, bundles);
   EXPECT_EQ(result.outcome, AdjustmentOutcome::kSolverFailed);
   ExpectUnchanged(bundles[0], before[0]);
   std::vector<Bundle> nothing;
   EXPECT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, nothing).outcome,
-            AdjustmentOutcome::kNoSightings);
+            AdjustmentOutcome::kNoObservations);
 }
 
 TEST(FullAdjustmentTest, APointBehindACameraIsAnOutlierThatStopsNothing) {
   test::Random random(8);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::Film(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
   std::vector<Bundle> bundles{truth};
   Disturb(bundles[0], 0.02, random);
   bundles[0].points[3].in_local *= -1;
   EXPECT_EQ(AdjustFully(Exact(camera), camera.parameters(), {}, bundles).outcome,
-            AdjustmentOutcome::kLowered);
+            AdjustmentOutcome::kImproved);
   EXPECT_LT(PoseError(bundles[0], truth), 0.02);
-  for (const Bundle::Sighting& sighting : bundles[0].sightings) {
-    EXPECT_FALSE(sighting.is_inlier && sighting.point == 3);
+  for (const Bundle::Observation& observation : bundles[0].observations) {
+    EXPECT_FALSE(observation.is_inlier && observation.point == 3);
   }
 }
 
@@ -236,7 +237,7 @@ TEST(FullAdjustmentTest, GivesTheSameBitsWhereverItsMemoryLies) {
     test::Random random(9);
     std::vector<Bundle> bundles;
     for (int i = 0; i < 3; ++i) {
-      bundles.push_back(test::Film(test::PinholeCamera(), 8, kNoisePx, random));
+      bundles.push_back(test::MakeObservedBundle(test::PinholeCamera(), 8, kNoisePx, random));
     }
     const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.1}}};
     const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
@@ -256,13 +257,14 @@ TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
   test::Random random(10);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> truth, bundles;
-  for (int i = 0; i < 28; ++i) truth.push_back(test::Film(camera, 11, kNoisePx, random));
+  for (int i = 0; i < 28; ++i)
+    truth.push_back(test::MakeObservedBundle(camera, 11, kNoisePx, random));
   bundles = truth;
   for (Bundle& bundle : bundles) Disturb(bundle, 0.02, random);
   const CameraPrior prior{camera.parameters(), {{"focal", 0.01}}};
   std::vector<Bundle> again = bundles;
   const FullAdjustment result = AdjustFully(prior, prior.given, {}, bundles);
-  EXPECT_EQ(result.outcome, AdjustmentOutcome::kLowered);
+  EXPECT_EQ(result.outcome, AdjustmentOutcome::kImproved);
   EXPECT_EQ(AdjustFully(prior, prior.given, {}, again).camera, result.camera);
   for (std::size_t i = 0; i < bundles.size(); ++i) {
     EXPECT_LT(PoseError(bundles[i], truth[i]), 0.02) << i;
@@ -273,7 +275,7 @@ TEST(FullAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
 TEST(FullAdjustmentTest, IsStoppedByWhoIsToldOfItsProgress) {
   test::Random random(12);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::Film(camera, 8, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   const Bundle before = bundles[0];
   int num_told = 0;
@@ -287,7 +289,7 @@ TEST(FullAdjustmentTest, IsStoppedByWhoIsToldOfItsProgress) {
 TEST(FullAdjustmentTest, TellsHowFarItIs) {
   test::Random random(11);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::Film(camera, 6, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 6, kNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   std::vector<double> shares;
   AdjustFully(Exact(camera), camera.parameters(), {}, bundles, [&](double share) {
@@ -307,15 +309,15 @@ TEST(ThinPointsTest, KeepsTheLongestTracksOfEveryView) {
   for (int point = 0; point < 6; ++point) {
     bundle.points.push_back({10 + point, Eigen::Vector3d::Zero()});
     for (const int view : tracks[point])
-      bundle.sightings.push_back({view, point, view, Eigen::Vector2d::Zero(), 1});
+      bundle.observations.push_back({view, point, view, Eigen::Vector2d::Zero(), 1});
   }
   const auto kept = [&](int max_points) {
     const Bundle thinned = ThinPoints(bundle, max_points);
     std::vector<LandmarkId> landmarks;
     for (const Bundle::Point& point : thinned.points) landmarks.push_back(point.landmark);
-    for (const Bundle::Sighting& sighting : thinned.sightings) {
-      const std::vector<int>& track = tracks[thinned.points[sighting.point].landmark - 10];
-      EXPECT_THAT(track, testing::Contains(sighting.view));
+    for (const Bundle::Observation& observation : thinned.observations) {
+      const std::vector<int>& track = tracks[thinned.points[observation.point].landmark - 10];
+      EXPECT_THAT(track, testing::Contains(observation.view));
     }
     return landmarks;
   };

@@ -13,7 +13,7 @@
 namespace corvo {
 namespace {
 
-/// Of six views along x, the first held, without noise.
+/// Of six views along x, the first fixed, without noise.
 Bundle MakeBundle(test::Random& random) {
   const test::PointScene scene = test::MakeBoxScene(300, 3, 10, random);
   std::vector<test::SceneView> views;
@@ -22,12 +22,12 @@ Bundle MakeBundle(test::Random& random) {
     views.push_back(test::ObserveScene(scene, test::PinholeCamera(), pose, 0, random));
   }
   const Map map = test::MakeMap(scene, views);
-  return CopyBundle(map, {{1, 2, 3, 4, 5}, {0}, map.FindSeen({1, 2, 3, 4, 5})});
+  return CopyBundle(map, {{1, 2, 3, 4, 5}, {0}, map.FindObserved({1, 2, 3, 4, 5})});
 }
 
-std::vector<int> CountSightings(const Bundle& bundle) {
+std::vector<int> CountObservations(const Bundle& bundle) {
   std::vector<int> counts(bundle.points.size(), 0);
-  for (const Bundle::Sighting& sighting : bundle.sightings) ++counts[sighting.point];
+  for (const Bundle::Observation& observation : bundle.observations) ++counts[observation.point];
   return counts;
 }
 
@@ -60,9 +60,9 @@ TEST(PointSelectionTest, EveryMovingViewHasItsQuota) {
   constexpr int kPointsPerView = 20;
   const std::vector<char> is_selected = SelectPoints(bundle, kPointsPerView);
   std::vector<int> num_selected(bundle.views.size(), 0), num_seen(bundle.views.size(), 0);
-  for (const Bundle::Sighting& sighting : bundle.sightings) {
-    num_selected[sighting.view] += is_selected[sighting.point];
-    ++num_seen[sighting.view];
+  for (const Bundle::Observation& observation : bundle.observations) {
+    num_selected[observation.view] += is_selected[observation.point];
+    ++num_seen[observation.view];
   }
   for (std::size_t view = 1; view < bundle.views.size(); ++view) {
     EXPECT_GE(num_selected[view], std::min(kPointsPerView, num_seen[view])) << view;
@@ -75,7 +75,7 @@ TEST(PointSelectionTest, LongTracksComeFirst) {
   test::Random random(3);
   const Bundle bundle = MakeBundle(random);
   const std::vector<char> is_selected = SelectPoints(bundle, 1);
-  const std::vector<int> counts = CountSightings(bundle);
+  const std::vector<int> counts = CountObservations(bundle);
   const auto longest = std::max_element(counts.begin(), counts.end());
   EXPECT_TRUE(is_selected[longest - counts.begin()]);
 }

@@ -52,8 +52,8 @@ TEST(PoseOptimizerTest, SetsGrossErrorsAside) {
 }
 
 /// Mean distance from the truth over `num_scenes` in which every second point is off by draws with
-/// a standard deviation of 0.02, told to the optimiser or not.
-double MeanError(bool is_told, int num_scenes) {
+/// a standard deviation of 0.02, told to the optimizer or not.
+double MeanError(bool is_reported, int num_scenes) {
   constexpr double kSigma = 0.02;
   test::Random random(3);
   double sum = 0;
@@ -62,7 +62,7 @@ double MeanError(bool is_told, int num_scenes) {
     for (std::size_t k = 0; k < observations.size(); k += 2) {
       observations[k].in_world += Eigen::Vector3d{random.Gaussian(kSigma), random.Gaussian(kSigma),
                                                   random.Gaussian(kSigma)};
-      if (is_told) observations[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
+      if (is_reported) observations[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
     }
     const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
     sum += (estimate.world_from_camera.translation() - kTruth.translation()).norm();

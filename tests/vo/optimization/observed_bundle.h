@@ -10,7 +10,8 @@ namespace corvo::test {
 
 /// A bundle of all that a camera on a winding path sees of a scene of points, with Gaussian noise
 /// on the pixels; poses and points are the true ones.
-inline Bundle Film(const Camera& camera, int num_views, double noise_px, Random& random) {
+inline Bundle MakeObservedBundle(const Camera& camera, int num_views, double noise_px,
+                                 Random& random) {
   const PointScene scene = MakeBoxScene(600, 6, 30, random);
   std::vector<SceneView> views;
   for (int i = 0; i < num_views; ++i) {
@@ -20,8 +21,8 @@ inline Bundle Film(const Camera& camera, int num_views, double noise_px, Random&
   }
   const Map map = MakeMap(scene, views, MakeModel(camera, std::max(noise_px, 0.1)));
   AdjustmentWindow window;
-  for (KeyframeId id = 0; id < num_views; ++id) window.moving.push_back(id);
-  window.landmarks = map.FindSeen(window.moving);
+  for (KeyframeId id = 0; id < num_views; ++id) window.free.push_back(id);
+  window.landmarks = map.FindObserved(window.free);
   return CopyBundle(map, window);
 }
 

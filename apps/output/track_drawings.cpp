@@ -1,4 +1,4 @@
-#include "apps/output/track_pictures.h"
+#include "apps/output/track_drawings.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -26,40 +26,40 @@ std::map<LandmarkId, cv::Point2f> PixelsOfLandmarks(const Frame& frame) {
   return pixels;
 }
 
-void DrawCaption(const FrameResult& result, cv::Mat& picture) {
+void DrawCaption(const FrameResult& result, cv::Mat& image) {
   const std::string text =
       fmt::format("{}  {}  {} inliers", result.index, ToString(result.state), result.num_inliers);
-  const cv::Point place(6, picture.rows - 8);
-  cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
-  cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
+  const cv::Point place(6, image.rows - 8);
+  cv::putText(image, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
+  cv::putText(image, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
 }
 
 }  // namespace
 
 cv::Mat DrawTracks(const cv::Mat& image, const Frame& frame, const FrameResult& result,
                    const std::map<LandmarkId, cv::Point2f>& previous) {
-  cv::Mat picture;
-  cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
+  cv::Mat drawing;
+  cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
   for (int i = 0; i < frame.num_keypoints(); ++i) {
-    if (frame.landmarks[i] == kNoId) cv::circle(picture, PixelOf(frame, i), 1, kUntracked, -1);
+    if (frame.landmarks[i] == kNoId) cv::circle(drawing, PixelOf(frame, i), 1, kUntracked, -1);
   }
   for (const auto& [landmark, pixel] : PixelsOfLandmarks(frame)) {
     const auto before = previous.find(landmark);
-    if (before != previous.end()) cv::line(picture, before->second, pixel, kTrail, 1, cv::LINE_AA);
-    cv::circle(picture, pixel, 3, kTracked, 1, cv::LINE_AA);
+    if (before != previous.end()) cv::line(drawing, before->second, pixel, kTrail, 1, cv::LINE_AA);
+    cv::circle(drawing, pixel, 3, kTracked, 1, cv::LINE_AA);
   }
-  DrawCaption(result, picture);
-  return picture;
+  DrawCaption(result, drawing);
+  return drawing;
 }
 
-TrackPictures::TrackPictures(const std::filesystem::path& folder) : folder_(folder) {
+TrackDrawings::TrackDrawings(const std::filesystem::path& folder) : folder_(folder) {
   if (folder_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw Error(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
 }
 
-void TrackPictures::Add(const cv::Mat& image, const Frame& frame, const FrameResult& result) {
+void TrackDrawings::Add(const cv::Mat& image, const Frame& frame, const FrameResult& result) {
   if (folder_.empty()) return;
   const std::filesystem::path file = folder_ / fmt::format("{:06}.jpg", result.index);
   if (!cv::imwrite(file.string(), DrawTracks(image, frame, result, previous_))) {

@@ -1,4 +1,4 @@
-#include "apps/output/match_pictures.h"
+#include "apps/output/match_images.h"
 
 #include <cmath>
 
@@ -28,29 +28,29 @@ Pair ExtractPair() {
   return {extractor.Extract(smooth), extractor.Extract(second)};
 }
 
-TEST(MatchPicturesTest, FindsTheHomographyAndWhoAgreesWithIt) {
+TEST(MatchImagesTest, FindsTheHomographyAndWhoAgreesWithIt) {
   const Pair pair = ExtractPair();
-  const PictureMatches pictures = MatchPictures(pair.first, pair.second, 80, 0.8);
-  ASSERT_TRUE(pictures.second_from_first);
-  ASSERT_GE(pictures.num_inliers, 100);
-  ASSERT_EQ(pictures.is_inlier.size(), pictures.matches.size());
+  const ImageMatches images = MatchImages(pair.first, pair.second, 80, 0.8);
+  ASSERT_TRUE(images.second_from_first);
+  ASSERT_GE(images.num_inliers, 100);
+  ASSERT_EQ(images.is_inlier.size(), images.matches.size());
   int inliers = 0;
-  for (std::size_t i = 0; i < pictures.matches.size(); ++i) {
-    if (pictures.is_inlier[i] == 0) continue;
-    const orb::Keypoint& from = pictures.first.keypoints[pictures.matches[i].query];
-    const orb::Keypoint& to = pictures.second.keypoints[pictures.matches[i].train];
+  for (std::size_t i = 0; i < images.matches.size(); ++i) {
+    if (images.is_inlier[i] == 0) continue;
+    const orb::Keypoint& from = images.first.keypoints[images.matches[i].query];
+    const orb::Keypoint& to = images.second.keypoints[images.matches[i].train];
     const cv::Vec3d expected = kSecondFromFirst * cv::Vec3d(from.x, from.y, 1);
     EXPECT_LE(std::hypot(expected[0] / expected[2] - to.x, expected[1] / expected[2] - to.y), 5);
     ++inliers;
   }
-  EXPECT_EQ(pictures.num_inliers, inliers);
+  EXPECT_EQ(images.num_inliers, inliers);
 }
 
-TEST(MatchPicturesTest, MatchesAreMutualAndPassBothLimits) {
+TEST(MatchImagesTest, MatchesAreMutualAndPassBothLimits) {
   const Pair pair = ExtractPair();
   const auto second_to_first = orb::FindNearest(pair.second.descriptors, pair.first.descriptors);
   const auto first_to_second = orb::FindNearest(pair.first.descriptors, pair.second.descriptors);
-  const auto matches = MatchPictures(pair.first, pair.second, 30, 0.7).matches;
+  const auto matches = MatchImages(pair.first, pair.second, 30, 0.7).matches;
   ASSERT_FALSE(matches.empty());
   for (const orb::Match& match : matches) {
     EXPECT_EQ(second_to_first[match.train].index, match.query);
@@ -60,15 +60,15 @@ TEST(MatchPicturesTest, MatchesAreMutualAndPassBothLimits) {
   }
 }
 
-TEST(MatchPicturesTest, FewerThanFourMatchesHaveNoHomography) {
+TEST(MatchImagesTest, FewerThanFourMatchesHaveNoHomography) {
   Pair pair = ExtractPair();
   pair.first.keypoints.resize(3);
   pair.first.descriptors.resize(3);
-  const PictureMatches pictures = MatchPictures(pair.first, pair.second, 256, 1.0);
-  EXPECT_LE(pictures.matches.size(), 3U);
-  EXPECT_FALSE(pictures.second_from_first);
-  EXPECT_EQ(pictures.num_inliers, 0);
-  EXPECT_EQ(pictures.is_inlier.size(), pictures.matches.size());
+  const ImageMatches images = MatchImages(pair.first, pair.second, 256, 1.0);
+  EXPECT_LE(images.matches.size(), 3U);
+  EXPECT_FALSE(images.second_from_first);
+  EXPECT_EQ(images.num_inliers, 0);
+  EXPECT_EQ(images.is_inlier.size(), images.matches.size());
 }
 
 }  // namespace

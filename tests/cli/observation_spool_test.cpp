@@ -1,4 +1,4 @@
-#include "apps/output/sightings_spool.h"
+#include "apps/output/observation_spool.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 namespace corvo {
 namespace {
 
-FrameSightings MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
-  FrameSightings seen{frame, frame / 10, keyframe, {}, {}, {}};
+FrameObservations MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
+  FrameObservations seen{frame, frame / 10, keyframe, {}, {}, {}};
   for (int i = 0; i < num_landmarks; ++i) {
     const auto shift = static_cast<float>(i);
     seen.landmarks.push_back({7 * frame + i, {shift / 3, 100 - shift}, 0.6F + shift});
@@ -18,19 +18,19 @@ FrameSightings MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
   return seen;
 }
 
-TEST(SightingsSpool, GivesBackWhatItTook) {
-  SightingsSpool spool;
-  spool.ForEach([](const FrameSightings&) { FAIL(); });
-  const std::vector<FrameSightings> given = {MakeFrame(0, kNoId, 3), MakeFrame(11, 4, 2),
-                                             MakeFrame(12, kNoId, 0), MakeFrame(13, kNoId, 1)};
+TEST(ObservationSpool, GivesBackWhatItTook) {
+  ObservationSpool spool;
+  spool.ForEach([](const FrameObservations&) { FAIL(); });
+  const std::vector<FrameObservations> given = {MakeFrame(0, kNoId, 3), MakeFrame(11, 4, 2),
+                                                MakeFrame(12, kNoId, 0), MakeFrame(13, kNoId, 1)};
   std::size_t num_bytes = 0;
   for (std::size_t count = 1; count <= given.size(); ++count) {
-    const FrameSightings& last = given[count - 1];
+    const FrameObservations& last = given[count - 1];
     spool.Add(last);
     num_bytes +=
         24 + 16 * last.landmarks.size() + 24 * last.in_world.size() + 8 * last.merges.size();
     std::size_t i = 0;
-    spool.ForEach([&](const FrameSightings& seen) {  // Reading does not disturb writing.
+    spool.ForEach([&](const FrameObservations& seen) {  // Reading does not disturb writing.
       ASSERT_LT(i, count);
       EXPECT_EQ(seen.frame, given[i].frame);
       EXPECT_EQ(seen.segment, given[i].segment);

@@ -20,7 +20,7 @@ std::string ReadBytes(const fs::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// Decoders fill what is missing of a JPEG with grey and say nothing. A whole one has an
+/// Decoders fill what is missing of a JPEG with gray and say nothing. A whole one has an
 /// end-of-image marker after its last start of scan; scans themselves never hold either.
 bool IsTruncatedJpeg(const std::string& bytes) {
   if (bytes.compare(0, 2, "\xFF\xD8") != 0) return false;
@@ -46,12 +46,11 @@ cv::Mat Decode(const std::string& bytes) {
 }
 
 /// The upper eight of 16 bits.
-cv::Mat KeepUpperByte(const cv::Mat& picture) {
-  cv::Mat upper(picture.size(), CV_8UC1);
-  for (int y = 0; y < picture.rows; ++y) {
-    for (int x = 0; x < picture.cols; ++x) {
-      upper.at<std::uint8_t>(y, x) =
-          static_cast<std::uint8_t>(picture.at<std::uint16_t>(y, x) >> 8);
+cv::Mat KeepUpperByte(const cv::Mat& image) {
+  cv::Mat upper(image.size(), CV_8UC1);
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      upper.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(image.at<std::uint16_t>(y, x) >> 8);
     }
   }
   return upper;
@@ -59,24 +58,24 @@ cv::Mat KeepUpperByte(const cv::Mat& picture) {
 
 }  // namespace
 
-cv::Mat ToGrey(const cv::Mat& picture, const std::string& name) {
-  const int channels = picture.channels();
-  if (picture.empty() || (picture.depth() != CV_8U && picture.depth() != CV_16U) ||
+cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
+  const int channels = image.channels();
+  if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U) ||
       (channels != 1 && channels != 3 && channels != 4)) {
-    throw Error(fmt::format("{}: a picture of type {}; allowed are 8 and 16 bits, grey or colour",
-                            name, cv::typeToString(picture.type())));
+    throw Error(fmt::format("{}: an image of type {}; allowed are 8 and 16 bits, gray or color",
+                            name, cv::typeToString(image.type())));
   }
-  cv::Mat grey = picture;
+  cv::Mat gray = image;
   if (channels > 1) {
-    cv::cvtColor(picture, grey, channels == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
+    cv::cvtColor(image, gray, channels == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
   }
-  return grey.depth() == CV_16U ? KeepUpperByte(grey) : grey;
+  return gray.depth() == CV_16U ? KeepUpperByte(gray) : gray;
 }
 
-cv::Mat ReadGreyImage(const fs::path& file) {
-  const cv::Mat picture = Decode(ReadBytes(file));
-  if (picture.empty()) throw Error(fmt::format("{}: not a readable picture", file.string()));
-  return ToGrey(picture, file.string());
+cv::Mat ReadGrayImage(const fs::path& file) {
+  const cv::Mat image = Decode(ReadBytes(file));
+  if (image.empty()) throw Error(fmt::format("{}: not a readable image", file.string()));
+  return ToGray(image, file.string());
 }
 
 }  // namespace corvo

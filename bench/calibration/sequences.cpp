@@ -1,4 +1,4 @@
-#include "bench/calibration/films.h"
+#include "bench/calibration/sequences.h"
 
 #include <cstdint>
 #include <utility>
@@ -40,14 +40,14 @@ std::vector<Stretch> FindStraights(const PoseSequence& poses) {
   return straights;
 }
 
-synthetic::Sequence MakeScene(FilmScene scene, const synthetic::SequenceOptions& options) {
-  if (scene == FilmScene::kRoom) return synthetic::MakeRoom(options);
-  if (scene == FilmScene::kRotation) return synthetic::MakePureRotation(options);
+synthetic::Sequence MakeScene(RenderScene scene, const synthetic::SequenceOptions& options) {
+  if (scene == RenderScene::kRoom) return synthetic::MakeRoom(options);
+  if (scene == RenderScene::kRotation) return synthetic::MakePureRotation(options);
   return synthetic::MakeStreet(options);
 }
 
-Stretch ChooseStretch(FilmScene scene, int seed, const PoseSequence& poses) {
-  if (scene == FilmScene::kStraight) {
+Stretch ChooseStretch(RenderScene scene, int seed, const PoseSequence& poses) {
+  if (scene == RenderScene::kStraight) {
     const std::vector<Stretch> straights = FindStraights(poses);
     return straights[static_cast<std::size_t>(seed) % straights.size()];
   }
@@ -57,36 +57,36 @@ Stretch ChooseStretch(FilmScene scene, int seed, const PoseSequence& poses) {
 
 }  // namespace
 
-std::string ToString(FilmScene scene) {
+std::string ToString(RenderScene scene) {
   switch (scene) {
-    case FilmScene::kStreet:
+    case RenderScene::kStreet:
       return "street";
-    case FilmScene::kRoom:
+    case RenderScene::kRoom:
       return "room";
-    case FilmScene::kStraight:
+    case RenderScene::kStraight:
       return "street, straight on";
-    case FilmScene::kRotation:
+    case RenderScene::kRotation:
       return "pure rotation";
   }
   return "";
 }
 
-Recording FilmStretch(FilmScene scene, int seed) {
+Recording SequencePart(RenderScene scene, int seed) {
   synthetic::SequenceOptions options;
   options.frames = kPeriod + kFrames;
-  options.width = scene == FilmScene::kRoom || scene == FilmScene::kRotation ? 640 : 930;
+  options.width = scene == RenderScene::kRoom || scene == RenderScene::kRotation ? 640 : 930;
   options.noise_sigma = 3;
   options.noise_seed = 1 + static_cast<std::uint64_t>(seed);
-  const Recording whole = Film(MakeScene(scene, options));
+  const Recording whole = RenderRecording(MakeScene(scene, options));
   const Stretch stretch = ChooseStretch(scene, seed, whole.truth);
   Recording film{whole.camera, {}, {}, {}};
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   for (int i = stretch.first; i < stretch.first + stretch.size; ++i) {
     film.times.push_back(whole.times[i]);
     film.truth.push_back(whole.truth[i]);
-    pictures.push_back(whole.picture(i));
+    images.push_back(whole.image(i));
   }
-  film.picture = [pictures = std::move(pictures)](int i) { return pictures[i]; };
+  film.image = [images = std::move(images)](int i) { return images[i]; };
   return film;
 }
 

@@ -1,4 +1,4 @@
-#include "bench/calibration/honesty.h"
+#include "bench/calibration/consistency.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Eigen::VectorXd Draw(int seed) {
   return draw;
 }
 
-Eigen::VectorXd DrawOf(const HonestyTrial& trial) {
+Eigen::VectorXd DrawOf(const ConsistencyTrial& trial) {
   return Eigen::Map<const Eigen::VectorXd>(trial.draw.data(),
                                            static_cast<Eigen::Index>(trial.draw.size()));
 }
@@ -37,7 +37,7 @@ struct Stage {
 const Stage kRunning = {"while it runs", &CameraRun::ate, &CameraRun::estimate};
 const Stage kRefined = {"refined", &CameraRun::refined_ate, &CameraRun::refined_estimate};
 
-Miss MissOf(const HonestyTrial& trial, const Stage& stage) {
+Miss MissOf(const ConsistencyTrial& trial, const Stage& stage) {
   const CameraEstimate& estimate = trial.wrong.*stage.estimate;
   return {estimate.difference - DrawOf(trial), estimate.covariance};
 }
@@ -51,12 +51,13 @@ double LargestInSigmas(const Eigen::VectorXd& difference) {
   return largest;
 }
 
-using Trials = std::vector<const HonestyTrial*>;
+using Trials = std::vector<const ConsistencyTrial*>;
 
-Trials SelectTrials(const std::vector<HonestyTrial>& trials, const std::vector<FilmScene>& scenes) {
+Trials SelectTrials(const std::vector<ConsistencyTrial>& trials,
+                    const std::vector<RenderScene>& scenes) {
   Trials selected;
-  for (const HonestyTrial& trial : trials) {
-    const bool is_meant = std::any_of(scenes.begin(), scenes.end(), [&](FilmScene scene) {
+  for (const ConsistencyTrial& trial : trials) {
+    const bool is_meant = std::any_of(scenes.begin(), scenes.end(), [&](RenderScene scene) {
       return ToString(scene) == trial.scene;
     });
     if (is_meant) selected.push_back(&trial);
@@ -64,22 +65,23 @@ Trials SelectTrials(const std::vector<HonestyTrial>& trials, const std::vector<F
   return selected;
 }
 
-std::string HonestyLine(const Stage& stage, const std::string& title, const Trials& trials) {
+std::string ConsistencyLine(const Stage& stage, const std::string& title, const Trials& trials) {
   if (trials.empty()) return "";
   std::vector<Miss> misses;
   int contradictions = 0;
-  for (const HonestyTrial* trial : trials) {
+  for (const ConsistencyTrial* trial : trials) {
     misses.push_back(MissOf(*trial, stage));
-    contradictions += trial->wrong.contradicts_given_camera;
+    contradictions += trial->wrong.prior_rejected;
   }
-  const Honesty honesty = Judge(misses);
-  std::string line = fmt::format("| {}, {} | {} | {} | {:.2f} |", title, stage.name, honesty.count,
-                                 contradictions, honesty.mean_normalized_squared_error);
+  const Consistency consistency = Judge(misses);
+  std::string line =
+      fmt::format("| {}, {} | {} | {} | {:.2f} |", title, stage.name, consistency.count,
+                  contradictions, consistency.mean_normalized_squared_error);
   for (std::size_t i = 0; i < kFree.size(); ++i) {
     const auto parameter = static_cast<Eigen::Index>(i);
-    line +=
-        fmt::format(" {:.0f} | {:.4f} / {:.4f} |", 100 * honesty.share_within_3_sigma[parameter],
-                    honesty.rms_error[parameter], honesty.mean_sigma[parameter]);
+    line += fmt::format(" {:.0f} | {:.4f} / {:.4f} |",
+                        100 * consistency.share_within_3_sigma[parameter],
+                        consistency.rms_error[parameter], consistency.mean_sigma[parameter]);
   }
   return line + "\n";
 }
@@ -93,7 +95,7 @@ std::string AteLine(const Stage& stage, const std::string& title, const Trials& 
   if (trials.empty()) return "";
   std::vector<double> exact, shipped, wrong;
   int num_close = 0;
-  for (const HonestyTrial* trial : trials) {
+  for (const ConsistencyTrial* trial : trials) {
     exact.push_back(trial->exact.*stage.ate / (trial->fixed.*stage.ate));
     shipped.push_back(trial->shipped.*stage.ate / (trial->fixed.*stage.ate));
     wrong.push_back(trial->wrong.*stage.ate / (trial->fixed.*stage.ate));
@@ -107,7 +109,7 @@ std::string AteLine(const Stage& stage, const std::string& title, const Trials& 
 std::string MoveLine(const std::string& title, const Trials& trials) {
   if (trials.empty()) return "";
   std::vector<double> exact, wrong, given_miss, miss;
-  for (const HonestyTrial* trial : trials) {
+  for (const ConsistencyTrial* trial : trials) {
     exact.push_back(LargestInSigmas(trial->exact.estimate.difference));
     wrong.push_back(LargestInSigmas(trial->wrong.estimate.difference));
     given_miss.push_back(LargestInSigmas(DrawOf(*trial)));
@@ -122,9 +124,9 @@ std::string MoveLine(const std::string& title, const Trials& trials) {
 
 }  // namespace
 
-HonestyTrial RunHonestyTrial(FilmScene scene, int seed, const OdometryOptions& options,
-                             bool refine) {
-  const Recording film = FilmStretch(scene, seed);
+ConsistencyTrial RunConsistencyTrial(RenderScene scene, int seed, const OdometryOptions& options,
+                                     bool refine) {
+  const Recording film = SequencePart(scene, seed);
   const Eigen::VectorXd draw = Draw(seed);
   const CameraPrior exact{film.camera.parameters(), kFree};
   const CameraPrior wrong{exact.Apply(-draw), kFree};
@@ -137,12 +139,12 @@ HonestyTrial RunHonestyTrial(FilmScene scene, int seed, const OdometryOptions& o
           RunWithCamera(film, wrong, options, refine)};
 }
 
-std::string HonestyTables(const std::vector<HonestyTrial>& trials, bool refined) {
-  const Trials streets = SelectTrials(trials, {FilmScene::kStreet});
-  const Trials rooms = SelectTrials(trials, {FilmScene::kRoom});
-  const Trials both = SelectTrials(trials, {FilmScene::kStreet, FilmScene::kRoom});
-  std::string honest =
-      "| given a wrong camera | runs | contradictions | normalised squared error | focal in 3 "
+std::string ConsistencyTables(const std::vector<ConsistencyTrial>& trials, bool refined) {
+  const Trials streets = SelectTrials(trials, {RenderScene::kStreet});
+  const Trials rooms = SelectTrials(trials, {RenderScene::kRoom});
+  const Trials both = SelectTrials(trials, {RenderScene::kStreet, RenderScene::kRoom});
+  std::string consistent =
+      "| given a wrong camera | runs | contradictions | normalized squared error | focal in 3 "
       "sigma, % | error / sigma | k1 in 3 sigma, % | error / sigma | k2 in 3 sigma, % | error / "
       "sigma |\n|---|---|---|---|---|---|---|---|---|---|\n";
   std::string ates =
@@ -154,16 +156,16 @@ std::string HonestyTables(const std::vector<HonestyTrial>& trials, bool refined)
   for (const Stage& stage : stages) {
     for (const auto& [title, of_scene] :
          {std::pair("street", &streets), std::pair("room", &rooms), std::pair("both", &both)}) {
-      honest += HonestyLine(stage, title, *of_scene);
+      consistent += ConsistencyLine(stage, title, *of_scene);
       ates += AteLine(stage, title, *of_scene);
     }
   }
-  return honest + ates +
+  return consistent + ates +
          "\n| largest, in sigmas of the prior, median (worst) | runs | move from the true camera, "
          "given | move from a wrong camera, given | that one's error | what is left of it "
          "|\n|---|---|---|---|---|---|\n" +
-         MoveLine("straight on", SelectTrials(trials, {FilmScene::kStraight})) +
-         MoveLine("pure rotation", SelectTrials(trials, {FilmScene::kRotation}));
+         MoveLine("straight on", SelectTrials(trials, {RenderScene::kStraight})) +
+         MoveLine("pure rotation", SelectTrials(trials, {RenderScene::kRotation}));
 }
 
 }  // namespace corvo::bench

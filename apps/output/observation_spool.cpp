@@ -1,4 +1,4 @@
-#include "apps/output/sightings_spool.h"
+#include "apps/output/observation_spool.h"
 
 #include <cerrno>
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Header {
   std::uint32_t num_landmarks, num_positions, num_merges;
 };
 static_assert(sizeof(Header) == 24);
-static_assert(sizeof(LandmarkSighting) == 16 && sizeof(LandmarkMerge) == 8);
+static_assert(sizeof(Observation) == 16 && sizeof(LandmarkMerge) == 8);
 
 [[noreturn]] void Fail() {
   throw Error(fmt::format("temporary file of what frames saw: {}", std::strerror(errno)));
@@ -38,7 +38,7 @@ std::uint32_t SizeOf(const auto& values) { return static_cast<std::uint32_t>(val
 
 }  // namespace
 
-void SightingsSpool::Add(const FrameSightings& frame) {
+void ObservationSpool::Add(const FrameObservations& frame) {
   if (!file_) file_.reset(std::tmpfile());
   if (!file_) Fail();
   if (std::fseek(file_.get(), 0, SEEK_END) != 0) Fail();
@@ -55,13 +55,13 @@ void SightingsSpool::Add(const FrameSightings& frame) {
   ++size_;
 }
 
-void SightingsSpool::ForEach(const SightingsSink& visit) const {
+void ObservationSpool::ForEach(const ObservationCallback& visit) const {
   if (!file_) return;
   std::rewind(file_.get());
   for (int i = 0; i < size_; ++i) {
     Header header;
     Read(&header, 1, file_.get());
-    FrameSightings frame{header.frame, header.segment, header.keyframe, {}, {}, {}};
+    FrameObservations frame{header.frame, header.segment, header.keyframe, {}, {}, {}};
     frame.landmarks.resize(header.num_landmarks);
     frame.in_world.resize(header.num_positions);
     frame.merges.resize(header.num_merges);

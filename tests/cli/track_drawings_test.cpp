@@ -1,0 +1,67 @@
+#include "apps/output/track_drawings.h"
+
+#include <gmock/gmock.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/cli/expect_error.h"
+#include "tests/cli/temp_folder.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a gray image, with a keypoint at (20, 20) that sees landmark 7 and one at (60, 20) that
+/// sees none.
+Frame TwoKeypoints() {
+  Frame frame;
+  frame.features.keypoints.resize(2);
+  frame.features.keypoints[0].x = frame.features.keypoints[0].y = 20;
+  frame.features.keypoints[1].x = 60;
+  frame.features.keypoints[1].y = 20;
+  frame.landmarks = {7, kNoId};
+  return frame;
+}
+
+const cv::Mat kImage(100, 200, CV_8UC1, cv::Scalar(40));
+
+/// How far a pixel is from gray.
+int Color(const cv::Mat& image, int x, int y) {
+  const auto& pixel = image.at<cv::Vec3b>(y, x);
+  return std::max({pixel[0], pixel[1], pixel[2]}) - std::min({pixel[0], pixel[1], pixel[2]});
+}
+
+TEST(DrawTracks, MarksWhatSeesALandmark) {
+  const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {});
+  ASSERT_EQ(image.size(), kImage.size());
+  EXPECT_GT(Color(image, 23, 20), 50);
+  EXPECT_EQ(Color(image, 60, 20), 0);
+  EXPECT_NE(image.at<cv::Vec3b>(20, 60)[0], 40);
+  EXPECT_EQ(image.at<cv::Vec3b>(20, 40), cv::Vec3b(40, 40, 40));
+}
+
+TEST(DrawTracks, ShowsWhereALandmarkCameFrom) {
+  const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {{7, {50, 20}}, {8, {100, 60}}});
+  EXPECT_GT(Color(image, 40, 20), 50);
+  EXPECT_EQ(Color(image, 100, 60), 0);
+}
+
+TEST(TrackDrawings, AreNumberedAsTheFrames) {
+  test::TempFolder folder;
+  TrackDrawings images(folder / "a/b");
+  FrameResult result;
+  result.index = 42;
+  images.Add(kImage, TwoKeypoints(), result);
+  EXPECT_EQ(cv::imread((folder / "a/b/000042.jpg").string()).size(), kImage.size());
+}
+
+TEST(TrackDrawings, NeedAFolder) {
+  TrackDrawings("").Add(kImage, TwoKeypoints(), {});
+  test::TempFolder folder;
+  test::WriteText(folder / "file", "");
+  EXPECT_THAT(test::ErrorOf([&] { TrackDrawings images(folder / "file"); }),
+              testing::HasSubstr("file: cannot be made"));
+}
+
+}  // namespace
+}  // namespace corvo
