@@ -18,6 +18,12 @@ const OdometryOptions& Validated(const OdometryOptions& options) {
   return options;
 }
 
+/// After the last frame several adjustments may end: a failure stays in the account.
+void KeepWorse(AdjustmentStatus status, AdjustmentStatus& kept) {
+  const bool has_failed = kept != AdjustmentStatus::kNone && !IsUsable(kept);
+  if (status != AdjustmentStatus::kNone && !has_failed) kept = status;
+}
+
 }  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
@@ -108,7 +114,10 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
 }
 
 void Odometry::ApplyUpdate(const MapUpdate& update) {
-  if (!update.is_adjusted) return;
+  if (!update.adjustments.any()) return;
+  FrameOutcome& outcome = history_.outcome(history_.size() - 1);
+  KeepWorse(update.adjustments.window, outcome.window_adjustment);
+  KeepWorse(update.adjustments.camera, outcome.camera_adjustment);
   initializer_.SetCamera(camera());
   UpdateRays(camera(), previous_);
   for (const KeyframeId culled : update.culled) history_.RemoveKeyframe(culled, map_);

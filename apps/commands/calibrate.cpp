@@ -1,6 +1,5 @@
 #include "apps/commands/calibrate.h"
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,19 +10,17 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/former_option.h"
 #include "apps/output/candidate_report.h"
-#include "apps/output/observation_spool.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/residual_plot.h"
-#include "apps/run/focal_start.h"
+#include "apps/run/camera_start.h"
 #include "apps/run/interruption.h"
-#include "apps/run/odometry_pass.h"
-#include "apps/run/progress_line.h"
 #include "apps/run/run_inputs.h"
+#include "apps/run/sequence_stream.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
-#include "vo/offline/camera_selection.h"
-#include "vo/offline/sequence_record.h"
+#include "vo/offline/self_calibration.h"
 
 namespace corvo {
 namespace {
@@ -50,115 +47,52 @@ struct CalibrateArguments {
   std::vector<fs::path> inputs;
   fs::path output;
   std::string model;  ///< Empty: the one that fits.
-  std::string focal = "auto";
   std::optional<double> frame_rate_hz;
   Selection selection;
   int threads = 1;
 };
 
-std::vector<ImageOpener> Openers(const CalibrateArguments& arguments) {
+/// Opens each input, every image of the size of its first.
+std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
   constexpr double kDefaultFrameRateHz = 30;
-  std::vector<ImageOpener> openers;
+  std::vector<StreamOpener> openers;
   for (const fs::path& input : arguments.inputs) {
     if (IsLiveInput(input.string())) {
       throw Error(fmt::format("{}: is a live camera, whose images come but once; give a recording",
                               input.string()));
     }
-    openers.emplace_back([input, &arguments] {
-      return OpenImages(input.string(), arguments.frame_rate_hz, kDefaultFrameRateHz,
-                        arguments.selection);
-    });
+    openers.push_back(ToStreamOpener([input, &arguments] {
+      ImageSource source = OpenImages(input.string(), arguments.frame_rate_hz, kDefaultFrameRateHz,
+                                      arguments.selection);
+      const cv::Size size = source.First().image.size();
+      source.Prepare({size, size, MaskSource()});
+      return source;
+    }));
   }
   return openers;
 }
 
 /// The models that are tried.
-std::vector<CalibrationModel> Descriptions(const std::string& model) {
-  std::vector<CalibrationModel> descriptions;
-  for (const CalibrationModel description : AllCalibrationModels()) {
-    if (model.empty() || ToString(description) == model) descriptions.push_back(description);
+std::vector<CalibrationModel> ModelsOf(const std::string& name) {
+  std::vector<CalibrationModel> models;
+  for (const CalibrationModel model : AllCalibrationModels()) {
+    if (name.empty() || ToString(model) == name) models.push_back(model);
   }
-  return descriptions;
+  return models;
 }
 
-class Calibration {
- public:
-  explicit Calibration(const CalibrateArguments& arguments)
-      : openers_(Openers(arguments)),
-        threads_(arguments.threads),
-        descriptions_(Descriptions(arguments.model)) {}
-
-  /// Of all models; none where no input could be tracked.
-  std::vector<CameraCandidate> Run() {
-    constexpr int kMaxRounds = 4;
-    constexpr double kSameFocal = 0.01;
-    // While the tracks change, one model is enough.
-    const CalibrationModel first =
-        descriptions_.size() == 1 ? descriptions_.front() : CalibrationModel::kRadtan;
-    CameraPrior prior = FindFocalLength(openers_, interruption_);
-    for (int round = 1;; ++round) {
-      const std::vector<Bundle> bundles = TrackAll(prior, round);
-      if (bundles.empty()) return {};
-      const CameraCandidate candidate = Adjust(first, Camera(prior.given), bundles);
-      const bool is_improved = candidate.adjustment.outcome == AdjustmentOutcome::kImproved;
-      const double change = std::log(candidate.adjustment.camera.fx / prior.given.fx);
-      if (!is_improved || round == kMaxRounds || std::abs(change) < kSameFocal) {
-        return AdjustAll(candidate, bundles);
-      }
-      prior = {candidate.adjustment.camera, EstimatedSigma(candidate)};
-    }
-  }
-
- private:
-  std::vector<Bundle> TrackAll(const CameraPrior& prior, int round) {
-    std::vector<Bundle> bundles;
-    for (std::size_t i = 0; i < openers_.size(); ++i) {
-      const std::string text =
-          fmt::format("round {}, input {} of {}", round, i + 1, openers_.size());
-      for (Bundle& bundle : Track(openers_[i](), prior, text)) bundles.push_back(std::move(bundle));
-    }
-    return bundles;
-  }
-
-  std::vector<Bundle> Track(ImageSource source, const CameraPrior& prior,
-                            const std::string& text) const {
-    const cv::Size size(prior.given.width, prior.given.height);
-    source.Prepare({size, size, MaskSource()});
-    Odometry odometry(prior, {}, threads_);
-    ObservationSpool spool;
-    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
-    PassThrough(std::move(source), text, interruption_, odometry);
-    const auto replay = [&](const ObservationCallback& visit) { spool.ForEach(visit); };
-    return SequenceRecord(odometry, replay, {}).MakeBundles();
-  }
-
-  CameraCandidate Adjust(CalibrationModel description, const Camera& start,
-                         const std::vector<Bundle>& bundles) const {
-    ProgressLine line;
-    CameraCandidate candidate = AdjustCandidate(description, start, bundles, [&](double share) {
-      line.Show(share, fmt::format("adjusting, {}", ToString(description)));
-      return !interruption_.IsRequested();
-    });
-    interruption_.ThrowIfRequested();
-    return candidate;
-  }
-
-  std::vector<CameraCandidate> AdjustAll(const CameraCandidate& first,
-                                         const std::vector<Bundle>& bundles) const {
-    std::vector<CameraCandidate> candidates;
-    for (const CalibrationModel description : descriptions_) {
-      candidates.push_back(description == first.description
-                               ? first
-                               : Adjust(description, Camera(first.prior.given), bundles));
-    }
-    return candidates;
-  }
-
-  Interruption interruption_;
-  std::vector<ImageOpener> openers_;
-  int threads_;
-  std::vector<CalibrationModel> descriptions_;
-};
+CameraCalibration CalibrateInputs(const CalibrateArguments& arguments) {
+  const Interruption interruption;
+  const std::vector<StreamOpener> openers = OpenersOf(arguments);
+  SelfCalibrationOptions options;
+  options.threads = arguments.threads;
+  const CalibrationProgress progress =
+      ShowCalibration(static_cast<int>(openers.size()), interruption);
+  CameraCalibration calibration =
+      CalibrateCamera(openers, ModelsOf(arguments.model), options, progress);
+  if (calibration.is_cancelled) throw Interrupted();
+  return calibration;
+}
 
 void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
   const Camera camera(candidate.adjustment.camera);
@@ -166,7 +100,7 @@ void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
   const std::string image = file.stem().string() + "_residuals.png";
   OutputFolder output(fs::absolute(file).parent_path());
   output.Write(name, WriteCameraFile(
-                         {camera, {}, "estimated by corvo calibrate", EstimatedSigma(candidate)}));
+                         {camera, {}, "estimated by corvo calibrate", EstimatedSigmas(candidate)}));
   if (!DrawResiduals(camera, candidate.bundles, output.Stage(image))) {
     spdlog::warn("no {}: gnuplot is missing or failed (Debian: gnuplot-nox)", image);
   }
@@ -175,15 +109,16 @@ void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
 
 int Calibrate(const CalibrateArguments& arguments) {
   CheckOutputFile(arguments.output, "the camera");
-  const std::vector<CameraCandidate> candidates = Calibration(arguments).Run();
-  const int selected = SelectCandidate(candidates);
-  if (selected == kNoId) {
+  const CameraCalibration calibration = CalibrateInputs(arguments);
+  ReportFocalSearch(calibration.start);
+  if (calibration.selected == kNoId) {
     spdlog::error("no input could be {}: nothing is written",
-                  candidates.empty() ? "tracked" : "adjusted");
+                  calibration.candidates.empty() ? "tracked" : "adjusted");
     return kNotCalibrated;
   }
-  const CameraCandidate& candidate = candidates[selected];
-  fmt::print("{}\n{}", CandidatesText(candidates, selected), EstimateText(candidate));
+  const CameraCandidate& candidate = calibration.candidates[calibration.selected];
+  fmt::print("{}\n{}", CandidatesText(calibration.candidates, calibration.selected),
+             EstimateText(candidate));
   for (const std::string& warning : UndeterminedWarnings(candidate)) spdlog::warn("{}", warning);
   WriteCalibration(candidate, arguments.output);
   return 0;
@@ -214,9 +149,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
       ->add_option("--model", arguments->model,
                    "pinhole, radtan, kb4 or fov (default: the simplest that fits)")
       ->check(CLI::IsMember({"pinhole", "radtan", "kb4", "fov"}));
-  command->add_option("--focal", arguments->focal, "auto: start from a sweep over fields of view")
-      ->check(CLI::IsMember({"auto"}))
-      ->capture_default_str();
+  AddFormerOption(*command, "--focal", "is not needed: the focal length is always searched");
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second of images without times")
       ->check(CLI::Range(1e-3, 1e6));
   AddSelectionOptions(*command, arguments->selection);

@@ -10,9 +10,11 @@ namespace corvo {
 inline void AddFormerOption(CLI::App& command, const std::string& name,
                             const std::string& replacement) {
   command
-      .add_flag_callback(name,
-                         [name, replacement] { throw CLI::ValidationError(name, replacement); })
-      ->allow_extra_args()
+      .add_option_function<std::string>(name,
+                                        [name, replacement](const std::string&) {
+                                          throw CLI::ValidationError(name, replacement);
+                                        })
+      ->expected(0, 1)
       ->group("");
 }
 

@@ -37,39 +37,24 @@ Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialized, 
 130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are. A camera's
 sequence is ended by Ctrl-C, and written.)";
 
-/// Before the first image.
+/// What is recorded, before the first image.
 RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
-  RunRecord record{Odometry(inputs.camera, inputs.options, arguments.threads),
-                   std::make_unique<LandmarkSpool>(),
-                   nullptr,
-                   std::nullopt,
-                   {},
-                   {},
-                   0,
-                   false};
+  RunRecord record(Odometry(inputs.camera, inputs.options, arguments.threads));
   record.odometry.SetLandmarkCallback(
       [finished = record.finished.get()](const MarginalizedLandmark& landmark) {
         finished->Add(landmark);
       });
-  if (!arguments.refine) return record;
-  record.observations = std::make_unique<ObservationSpool>();
-  record.odometry.SetObservationCallback(
-      [observations = record.observations.get()](const FrameObservations& frame) {
-        observations->Add(frame);
-      });
+  if (arguments.refine) record.odometry.SetObservationCallback(record.observations.Callback());
   return record;
 }
 
-/// Adjusts what was recorded as a whole, under a bar of its own.
+/// Adjusts what was recorded as a whole, and shows how far that is.
 void RefineRecord(const std::function<bool()>& is_interrupted, RunRecord& record) {
   ProgressLine line;
-  record.refinement = Refine(
-      record.odometry,
-      [&](const ObservationCallback& visit) { record.observations->ForEach(visit); }, {},
-      [&](double share) {
-        line.Show(share, "refining");
-        return !is_interrupted();
-      });
+  record.refinement = Refine(record.odometry, record.observations, {}, [&](double share) {
+    line.Show(share, "refining");
+    return !is_interrupted();
+  });
   record.trajectory = record.refinement->trajectory;
   record.is_interrupted = is_interrupted();
 }

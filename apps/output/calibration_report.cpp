@@ -25,11 +25,11 @@ CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
 CalibrationReport ReportCalibration(const Odometry& odometry,
                                     const std::optional<Refinement>& refinement) {
   const CameraPrior& prior = odometry.camera_prior();
-  const bool is_refined = refinement && refinement->adjustment.covariance.rows() > 0;
+  const bool is_refined = refinement && refinement->adjustment.estimate.covariance.rows() > 0;
   CalibrationReport report;
   report.contradicts_given = odometry.prior_rejected();
   report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
-  report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.covariance
+  report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.estimate.covariance
                                                   : odometry.camera_estimate().covariance);
   for (int i = 0; i < prior.num_free(); ++i) {
     report.estimates.push_back(

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "vo/offline/self_calibration.h"
+
 namespace corvo {
 namespace {
 
@@ -16,9 +18,9 @@ std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int s
                                  "rms, px", "cost", "criterion");
   for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
     const CameraCandidate& candidate = candidates[i];
-    text += fmt::format("{} {:<8} {:>10} ", i == selected ? '*' : ' ',
-                        ToString(candidate.description), candidate.prior.num_free());
-    if (candidate.adjustment.outcome == AdjustmentOutcome::kImproved) {
+    text += fmt::format("{} {:<8} {:>10} ", i == selected ? '*' : ' ', ToString(candidate.model),
+                        candidate.prior.num_free());
+    if (candidate.adjustment.is_usable()) {
       text += fmt::format("{:>8.3f} {:>12.1f} {:>12.1f}\n", candidate.adjustment.inlier_rms_px,
                           candidate.adjustment.final_cost, candidate.information_criterion);
     } else {
@@ -29,8 +31,8 @@ std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int s
 }
 
 std::string EstimateText(const CameraCandidate& candidate) {
-  const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
-  const Eigen::MatrixXd& covariance = candidate.adjustment.covariance;
+  const std::vector<FreeParameter> sigma = EstimatedSigmas(candidate);
+  const Eigen::MatrixXd& covariance = candidate.adjustment.estimate.covariance;
   std::string text = "  parameter        value        sigma  correlations\n";
   for (std::size_t i = 0; i < sigma.size(); ++i) {
     const auto& [name, deviation] = sigma[i];
@@ -50,8 +52,8 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
   constexpr double kMaxFocalSigma = 0.01;
   constexpr double kMinShare = 0.5;
   std::vector<std::string> warnings;
-  bool is_center_told = true, is_distortion_told = true;
-  const std::vector<FreeParameter> sigma = EstimatedSigma(candidate);
+  bool is_center_determined = true, is_distortion_determined = true;
+  const std::vector<FreeParameter> sigma = EstimatedSigmas(candidate);
   for (std::size_t i = 0; i < sigma.size(); ++i) {
     const FreeParameter& parameter = candidate.prior.free[i];
     const bool is_reported = InformationGain(parameter, sigma[i].sigma) >= kMinShare;
@@ -61,24 +63,20 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
           "among things near and far, not straight ahead and not before a wall",
           100 * sigma[i].sigma));
     }
-    if (parameter.name == "cx" || parameter.name == "cy") is_center_told &= is_reported;
-    if (IsDistortion(parameter.name)) is_distortion_told &= is_reported;
+    if (parameter.name == "cx" || parameter.name == "cy") is_center_determined &= is_reported;
+    if (IsDistortion(parameter.name)) is_distortion_determined &= is_reported;
   }
-  if (!is_center_told) {
+  if (!is_center_determined) {
     warnings.emplace_back(
         "the motion does not determine the principal point, which stays near the image's center: "
         "turn up, down and to the sides, and roll the camera about its axis");
   }
-  if (!is_distortion_told) {
+  if (!is_distortion_determined) {
     warnings.emplace_back(
         "the motion does not determine all of the distortion: turn while moving, with texture up "
         "to the image's corners");
   }
   return warnings;
-}
-
-std::vector<FreeParameter> EstimatedSigma(const CameraCandidate& candidate) {
-  return Posterior(candidate.prior.free, candidate.adjustment.covariance);
 }
 
 }  // namespace corvo

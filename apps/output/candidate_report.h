@@ -11,14 +11,11 @@ namespace corvo {
 /// cost and information criterion.
 std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int selected);
 
-/// Each free parameter of a lowered candidate: value, standard deviation, and the correlations
+/// Each free parameter of an adjusted candidate: value, standard deviation, and the correlations
 /// with those before it.
 std::string EstimateText(const CameraCandidate& candidate);
 
-/// What the motion does not determine, and what to film instead; a sentence each.
+/// What the motion does not determine, and what to record instead; a sentence each.
 std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate);
-
-/// The free parameters with their standard deviations, as camera files have them.
-std::vector<FreeParameter> EstimatedSigma(const CameraCandidate& candidate);
 
 }  // namespace corvo

@@ -5,16 +5,22 @@
 namespace corvo {
 namespace {
 
-std::string WhyNotRefined(AdjustmentOutcome outcome) {
-  switch (outcome) {
-    case AdjustmentOutcome::kImproved:
+std::string WhyNotRefined(AdjustmentStatus status) {
+  switch (status) {
+    case AdjustmentStatus::kConverged:
+    case AdjustmentStatus::kIterationLimit:
       return "";
-    case AdjustmentOutcome::kNoObservations:
+    case AdjustmentStatus::kNone:
+    case AdjustmentStatus::kNoObservations:
       return "there is nothing to adjust";
-    case AdjustmentOutcome::kSolverFailed:
+    case AdjustmentStatus::kSolverFailed:
       return "the solver failed";
-    case AdjustmentOutcome::kNotImproved:
-      return "the robust cost would not be lower";
+    case AdjustmentStatus::kInvalidCamera:
+      return "the solution is not a camera";
+    case AdjustmentStatus::kNotImproved:
+      return "the robust cost would be higher";
+    case AdjustmentStatus::kCancelled:
+      return "it was interrupted";
   }
   return "";
 }
@@ -22,9 +28,9 @@ std::string WhyNotRefined(AdjustmentOutcome outcome) {
 }  // namespace
 
 RefinementReport ReportRefinement(const Refinement& refinement) {
-  const FullAdjustment& adjustment = refinement.adjustment;
+  const AdjustmentSummary& adjustment = refinement.adjustment;
   RefinementReport report;
-  report.why_not = WhyNotRefined(adjustment.outcome);
+  report.why_not = WhyNotRefined(adjustment.status);
   report.cost_before = adjustment.initial_cost;
   report.cost_after = adjustment.final_cost;
   report.num_observations = adjustment.num_observations;

@@ -7,7 +7,8 @@
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/shipped_cameras.h"
 #include "apps/dataset/tum_mono_sequence.h"
-#include "apps/run/focal_start.h"
+#include "apps/run/camera_start.h"
+#include "apps/run/sequence_stream.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
 #include "vo/io/text_lines.h"
@@ -96,8 +97,11 @@ CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<Camera
                        ImageSource& source) {
   if (named) return named->Prior(options.calibration);
   if (!arguments.focal.empty()) {
-    return FindCamera([&] { return OpenPreparedImages(arguments); }, options, arguments.threads,
-                      interruption);
+    SelfCalibrationOptions calibration;
+    calibration.odometry = options;
+    calibration.threads = arguments.threads;
+    return FindSequenceCamera(ToStreamOpener([&] { return OpenPreparedImages(arguments); }),
+                              calibration, interruption);
   }
   if (!source.list().camera) ThrowNoCamera(arguments, source.First().image.size());
   return MakePrior(*source.list().camera, options.calibration);

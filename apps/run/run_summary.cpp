@@ -125,7 +125,13 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_segments = CountPosedSegments(trajectory);
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
-  for (const FrameResult& frame : trajectory.frames) ++summary.states[frame.state];
+  for (const FrameResult& frame : trajectory.frames) {
+    ++summary.states[frame.state];
+    ++summary.window_adjustments[frame.window_adjustment];
+    ++summary.camera_adjustments[frame.camera_adjustment];
+  }
+  summary.window_adjustments.erase(AdjustmentStatus::kNone);
+  summary.camera_adjustments.erase(AdjustmentStatus::kNone);
   summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = MeasureAndWarn(record.odometry);
@@ -167,6 +173,8 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   }
   json["states"] = CountsJson(summary.states);
   json["reasons"] = CountsJson(summary.reasons);
+  json["adjustments"] = {{"window", CountsJson(summary.window_adjustments)},
+                         {"camera", CountsJson(summary.camera_adjustments)}};
   json["trajectory_kitti"] =
       summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
   if (arguments.meters_per_unit) json["meters_per_unit"] = *arguments.meters_per_unit;

@@ -27,7 +27,9 @@ struct RunSummary {
   int num_landmarks = 0;
   std::map<State, int> states;
   std::map<Reason, int> reasons;  ///< Of the frames that are not posed.
-  std::string why_not_kitti;      ///< Why there is no trajectory.kitti; empty if there is.
+  std::map<AdjustmentStatus, int> window_adjustments;
+  std::map<AdjustmentStatus, int> camera_adjustments;
+  std::string why_not_kitti;  ///< Why there is no trajectory.kitti; empty if there is.
   std::optional<MatchResiduals> residuals;
   CalibrationReport calibration;
   std::optional<RefinementReport> refinement;  ///< Where it was asked for.

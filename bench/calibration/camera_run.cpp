@@ -3,7 +3,6 @@
 #include <limits>
 #include <vector>
 
-#include "apps/output/observation_spool.h"
 #include "apps/run/outcome.h"
 #include "orb/error.h"
 #include "vo/evaluation/evaluation.h"
@@ -41,11 +40,11 @@ double Ate(const Trajectory& trajectory, const PoseSequence& truth) {
 
 void AddRefined(const Odometry& odometry, const Refinement& refinement, const PoseSequence& truth,
                 CameraRun& run) {
-  if (refinement.adjustment.outcome != AdjustmentOutcome::kImproved) return;
+  if (!refinement.adjustment.is_usable()) return;
   run.refined_ate = Ate(refinement.trajectory, truth);
-  if (refinement.adjustment.covariance.size() == 0) return;
+  if (refinement.adjustment.estimate.covariance.size() == 0) return;
   run.refined_estimate = {odometry.camera_prior().Difference(refinement.adjustment.camera),
-                          refinement.adjustment.covariance};
+                          refinement.adjustment.estimate.covariance};
 }
 
 }  // namespace
@@ -54,9 +53,8 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
                         const OdometryOptions& options, bool refine,
                         const std::function<void(const Odometry&)>& after_frame) {
   Odometry odometry(prior, options);
-  ObservationSpool spool;
-  if (refine)
-    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
+  ObservationLog log;
+  if (refine) odometry.SetObservationCallback(log.Callback());
   for (int i = 0; i < recording.size(); ++i) {
     odometry.Process(recording.image(i), recording.times[i]);
     if (after_frame) after_frame(odometry);
@@ -68,10 +66,7 @@ CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
   run.segments = CountPosedSegments(trajectory);
   run.prior_rejected = odometry.prior_rejected();
   run.estimate = run.refined_estimate = odometry.camera_estimate();
-  if (refine) {
-    const auto observations = [&](const ObservationCallback& visit) { spool.ForEach(visit); };
-    AddRefined(odometry, Refine(odometry, observations), recording.truth, run);
-  }
+  if (refine) AddRefined(odometry, Refine(odometry, log), recording.truth, run);
   return run;
 }
 

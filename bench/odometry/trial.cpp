@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/output/observation_spool.h"
 #include "apps/run/outcome.h"
 #include "bench/clocks.h"
 #include "orb/error.h"
@@ -68,9 +67,8 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
 
 TrialResult RunTrial(const Recording& recording, const OdometryOptions& options, bool refine) {
   Odometry odometry(recording.camera, options);
-  ObservationSpool spool;
-  if (refine)
-    odometry.SetObservationCallback([&](const FrameObservations& frame) { spool.Add(frame); });
+  ObservationLog log;
+  if (refine) odometry.SetObservationCallback(log.Callback());
   double wall_ms = 0, processor_ms = 0;
   for (int i = 0; i < recording.size(); ++i) {
     const cv::Mat image = recording.image(i);
@@ -80,11 +78,7 @@ TrialResult RunTrial(const Recording& recording, const OdometryOptions& options,
     processor_ms += ProcessTimeMs() - processor;
   }
   Trajectory trajectory = odometry.Finish();
-  if (refine) {
-    trajectory = Refine(odometry, [&](const ObservationCallback& visit) {
-                   spool.ForEach(visit);
-                 }).trajectory;
-  }
+  if (refine) trajectory = Refine(odometry, log).trajectory;
   TrialResult result = Evaluated(trajectory, recording.truth);
   result.wall_ms = wall_ms / result.frames;
   result.processor_ms = processor_ms / result.frames;

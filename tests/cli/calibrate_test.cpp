@@ -69,9 +69,11 @@ TEST_F(Calibrate, NamesBadInput) {
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", "-o", folder_ / "noise"}),
               "is a folder; the camera is written to a file");
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", folder_ / "large", "-o", camera_}),
-              "the image is 128 x 96 px, the camera 96 x 64 px");
+              "0.png: the image is 128 x 96 px, others 96 x 64 px");
   EXPECT_THAT(RunCorvo({"calibrate", folder_ / "noise", "-o", camera_, "--model", "omni"}).err,
               HasSubstr("--model"));
+  EXPECT_THAT(RunCorvo({"calibrate", folder_ / "noise", "-o", camera_, "--focal", "auto"}).err,
+              HasSubstr("--focal: is not needed"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/point_scene.h"
+#include "vo/offline/self_calibration.h"
 
 namespace corvo {
 namespace {
@@ -12,16 +13,16 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A lowered candidate whose parameters are known to these.
-CameraCandidate Known(CalibrationModel description, const std::vector<double>& sigma) {
+CameraCandidate Known(CalibrationModel model, const std::vector<double>& sigma) {
   CameraCandidate candidate;
-  candidate.description = description;
-  candidate.prior = PriorOf(description, test::PinholeCamera());
-  candidate.adjustment.outcome = AdjustmentOutcome::kImproved;
+  candidate.model = model;
+  candidate.prior = PriorOf(model, test::PinholeCamera());
+  candidate.adjustment.status = AdjustmentStatus::kConverged;
   candidate.adjustment.camera = candidate.prior.given;
   candidate.adjustment.final_cost = 1234.5;
   const Eigen::VectorXd variances =
       Eigen::Map<const Eigen::VectorXd>(sigma.data(), static_cast<int>(sigma.size())).cwiseAbs2();
-  candidate.adjustment.covariance = variances.asDiagonal();
+  candidate.adjustment.estimate.covariance = variances.asDiagonal();
   return candidate;
 }
 
@@ -40,17 +41,18 @@ TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
 
 TEST(CandidateReportTest, GivesValuesSigmasAndCorrelations) {
   CameraCandidate candidate = Known(CalibrationModel::kPinhole, {0.01, 2, 4});
-  candidate.adjustment.covariance(2, 1) = candidate.adjustment.covariance(1, 2) = -4;
+  candidate.adjustment.estimate.covariance(2, 1) = candidate.adjustment.estimate.covariance(1, 2) =
+      -4;
   const std::string text = EstimateText(candidate);
   EXPECT_THAT(text, HasSubstr("focal              500            5"));
   EXPECT_THAT(text, HasSubstr(" focal +0.00 cx -0.50\n"));
-  EXPECT_EQ(EstimatedSigma(candidate)[1], (FreeParameter{"cx", 2}));
+  EXPECT_EQ(EstimatedSigmas(candidate)[1], (FreeParameter{"cx", 2}));
 }
 
 TEST(CandidateReportTest, MarksTheSelectedModel) {
   std::vector<CameraCandidate> candidates{Known(CalibrationModel::kPinhole, {0.01, 2, 4}),
                                           Known(CalibrationModel::kFov, {0.01, 2, 4, 0.1})};
-  candidates[1].adjustment.outcome = AdjustmentOutcome::kSolverFailed;
+  candidates[1].adjustment.status = AdjustmentStatus::kSolverFailed;
   const std::string text = CandidatesText(candidates, 0);
   EXPECT_THAT(text, HasSubstr("\n* pinhole           3 "));
   EXPECT_THAT(text, HasSubstr(" 1234.5 "));

@@ -9,9 +9,10 @@
 
 #include "apps/dataset/image_source.h"
 #include "apps/dataset/tum_mono_sequence.h"
-#include "apps/run/focal_start.h"
+#include "apps/run/camera_start.h"
 #include "apps/run/interruption.h"
 #include "apps/run/run_inputs.h"
+#include "apps/run/sequence_stream.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
@@ -411,8 +412,8 @@ TEST_F(PreparedInputs, TakeTheCameraOfTumMono) {
 TEST_F(PreparedInputs, TheSearchForAFocalLengthCanBeInterrupted) {
   const Interruption interruption;
   raise(SIGINT);
-  EXPECT_THROW(FindFocalLength({[&] { return Open(arguments_.input); }}, interruption),
-               Interrupted);
+  const StreamOpener open = ToStreamOpener([&] { return Open(arguments_.input); });
+  EXPECT_THROW(FindSequenceCamera(open, {}, interruption), Interrupted);
 }
 
 TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {

@@ -16,8 +16,7 @@ Bundle Seen(const std::vector<Eigen::Vector2d>& pixels, const Eigen::Vector2d& e
     const Eigen::Vector2d ray = *test::PinholeCamera().Undistort(pixel);
     bundle.points.push_back({0, 5 * Eigen::Vector3d(ray.x(), ray.y(), 1)});
     bundle.observations.push_back(
-        {0, static_cast<int>(bundle.points.size()) - 1, kNoId, pixel + error_px, 1.0});
-    bundle.observations.back().is_inlier = true;
+        {{0, kNoId, pixel + error_px, 1.0}, 0, static_cast<int>(bundle.points.size()) - 1});
   }
   return bundle;
 }

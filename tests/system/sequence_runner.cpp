@@ -25,13 +25,11 @@ Trajectory RunOdometry(const ImageSource& source, int num_frames, const Camera& 
 
 Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera& camera) {
   Odometry odometry(camera, OdometryOptions(), 2);
-  std::vector<FrameObservations> told;
-  odometry.SetObservationCallback([&](const FrameObservations& seen) { told.push_back(seen); });
+  ObservationLog log;
+  odometry.SetObservationCallback(log.Callback());
   ProcessAll(source, num_frames, odometry);
   odometry.Finish();
-  return Refine(odometry, [&](const ObservationCallback& visit) {
-    for (const FrameObservations& seen : told) visit(seen);
-  });
+  return Refine(odometry, log);
 }
 
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth) {

@@ -41,6 +41,11 @@ Camera::Camera(const CameraParameters& parameters) : parameters_(parameters) {
   max_radius_ = MaxRadius(parameters);
 }
 
+std::optional<Camera> Camera::Make(const CameraParameters& parameters) {
+  if (!parameters.IsValid()) return std::nullopt;
+  return Camera(parameters);
+}
+
 std::optional<Eigen::Vector2d> Camera::Project(const Eigen::Vector3d& point_in_camera,
                                                Jacobian* jacobian) const {
   const double z = point_in_camera.z();

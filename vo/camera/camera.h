@@ -21,6 +21,9 @@ class Camera {
   /// Throws corvo::Error naming the first parameter out of range.
   explicit Camera(const CameraParameters& parameters);
 
+  /// The same without an exception: none where a parameter is out of range.
+  static std::optional<Camera> Make(const CameraParameters& parameters);
+
   /// Pixel of a point. None where z <= 0 or outside max_radius(). The pixel may lie outside the
   /// image. `jacobian`, if given, is d pixel / d point.
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& point_in_camera,

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "orb/error.h"
 #include "vo/camera/differentiable_camera.h"
 #include "vo/math/levenberg_marquardt.h"
 
@@ -34,20 +33,19 @@ std::vector<ImagedRay> ImageGrid(const Camera& camera) {
 
 NormalEquations<kMaxFitted> BuildEquations(const CameraPrior& prior, const Difference& difference,
                                            const std::vector<ImagedRay>& rays) {
-  constexpr double kUnseenErrorPx = 1e3;
+  constexpr double kUnprojectableErrorPx = 1e3;
   NormalEquations<kMaxFitted> equations;
   const int num_free = prior.num_free();
-  std::optional<DifferentiableCamera> camera;
-  try {
-    camera.emplace(prior, difference.head(num_free));
-  } catch (const Error&) {
-    equations.cost = static_cast<double>(rays.size()) * kUnseenErrorPx * kUnseenErrorPx;
+  const auto camera = DifferentiableCamera::Make(prior, difference.head(num_free));
+  if (!camera) {
+    equations.cost =
+        static_cast<double>(rays.size()) * kUnprojectableErrorPx * kUnprojectableErrorPx;
     return equations;
   }
   for (const ImagedRay& ray : rays) {
     const auto pixel = camera->camera().Project(ray.in_camera);
     if (!pixel) {
-      equations.cost += kUnseenErrorPx * kUnseenErrorPx;
+      equations.cost += kUnprojectableErrorPx * kUnprojectableErrorPx;
       continue;
     }
     const Eigen::Vector2d error = *pixel - ray.pixel;

@@ -76,4 +76,12 @@ void CameraParameters::Validate() const {
   });
 }
 
+bool CameraParameters::IsValid() const {
+  bool is_valid = true;
+  VisitAll(*this, [&](const char* name, const auto& value, auto min, auto max, const char*) {
+    is_valid &= value >= min && value <= max && (value == 0 || HasParameter(model, name));
+  });
+  return is_valid;
+}
+
 }  // namespace corvo

@@ -32,6 +32,8 @@ struct CameraParameters {
   /// Throws corvo::Error naming the first field that is out of range, or that is not zero and
   /// belongs to other models only.
   void Validate() const;
+  /// Whether Validate does not throw.
+  bool IsValid() const;
 
   /// Calls `field(name, value, min, max, meaning)` in order, as orb::ExtractorOptions::Visit, for
   /// the parameters that the model has.

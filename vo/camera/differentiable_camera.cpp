@@ -5,20 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include "orb/error.h"
-
 namespace corvo {
 namespace {
 
 constexpr double kStep = 1e-6;  // Small against a distortion, large against rounding.
-
-std::optional<Camera> TryCamera(const CameraParameters& parameters) {
-  try {
-    return Camera(parameters);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
 
 /// d (x_d, y_d) / d p1 (axis 1) or d p2 (axis 0) of a point at (x/z, y/z).
 Eigen::Vector2d TangentialEffect(const Eigen::Vector2d& normalized, int axis) {
@@ -36,11 +26,17 @@ DifferentiableCamera::DifferentiableCamera(const CameraPrior& prior,
     Derivative derivative{EffectOf(prior.free[i].name, prior.given.model), {}, {}};
     if (derivative.effect == Effect::kByDifference) {
       const Eigen::VectorXd change = kStep * Eigen::VectorXd::Unit(prior.num_free(), i);
-      derivative.below = TryCamera(prior.Apply(difference - change));
-      derivative.above = TryCamera(prior.Apply(difference + change));
+      derivative.below = Camera::Make(prior.Apply(difference - change));
+      derivative.above = Camera::Make(prior.Apply(difference + change));
     }
     derivatives_.push_back(derivative);
   }
+}
+
+std::optional<DifferentiableCamera> DifferentiableCamera::Make(const CameraPrior& prior,
+                                                               const Eigen::VectorXd& difference) {
+  if (!prior.Apply(difference).IsValid()) return std::nullopt;
+  return DifferentiableCamera(prior, difference);
 }
 
 DifferentiableCamera::Effect DifferentiableCamera::EffectOf(const std::string& name,

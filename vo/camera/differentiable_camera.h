@@ -22,6 +22,10 @@ class DifferentiableCamera {
   /// The camera that differs so much from the one given. Throws corvo::Error where that is none.
   DifferentiableCamera(const CameraPrior& prior, const Eigen::VectorXd& difference);
 
+  /// The same without an exception.
+  static std::optional<DifferentiableCamera> Make(const CameraPrior& prior,
+                                                  const Eigen::VectorXd& difference);
+
   const Camera& camera() const { return camera_; }
 
   /// Of a point that projects to `pixel`.

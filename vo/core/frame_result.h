@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "vo/core/adjustment_status.h"
 #include "vo/core/conventions.h"
 #include "vo/lie/se3.h"
 #include "vo/lie/so3.h"
@@ -47,6 +48,10 @@ struct FrameOutcome {
   int num_matches = 0;  ///< With the reference frame (initializing) or with landmarks (tracking).
   int num_inliers = 0;  ///< Of num_matches, those that agree with the motion or pose.
   double parallax_deg = 0;  ///< While initializing: median over the matches, rotation removed.
+  /// How the adjustment of a window ended whose result was used before this frame was tracked.
+  AdjustmentStatus window_adjustment = AdjustmentStatus::kNone;
+  /// The same of an estimate of the camera.
+  AdjustmentStatus camera_adjustment = AdjustmentStatus::kNone;
 };
 
 /// What happened to one input frame. A value.

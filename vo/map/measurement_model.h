@@ -5,6 +5,7 @@
 #include "vo/camera/camera.h"
 #include "vo/core/options.h"
 #include "vo/map/frame.h"
+#include "vo/map/observation.h"
 
 namespace corvo {
 
@@ -25,5 +26,10 @@ struct MeasurementModel {
            Scale(frame, k);
   }
 };
+
+/// What keypoint `k` of a frame observes.
+inline Observation Observe(const Frame& frame, int k, const MeasurementModel& model) {
+  return {frame.landmarks[k], k, frame.pixel(k), model.Sigma(frame, k)};
+}
 
 }  // namespace corvo

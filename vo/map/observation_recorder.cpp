@@ -5,17 +5,18 @@
 namespace corvo {
 namespace {
 
-void AddObservation(const Frame& frame, int keypoint, const Map& map,
-                    FrameObservations& observations) {
-  const Landmark* landmark = map.FindLandmark(frame.landmarks[keypoint]);
+void AddObservation(const Frame& frame, int k, const Map& map, FrameObservations& added) {
+  const Landmark* landmark = map.FindLandmark(frame.landmarks[k]);
   if (landmark == nullptr) return;
-  observations.landmarks.push_back({landmark->id, frame.pixel(keypoint).cast<float>(),
-                                    static_cast<float>(map.model().Sigma(frame, keypoint))});
-  if (observations.keyframe != kNoId) observations.in_world.push_back(landmark->in_world);
+  Observation observation = Observe(frame, k, map.model());
+  observation.pixel = observation.pixel.cast<float>().cast<double>();
+  observation.sigma_px = static_cast<float>(observation.sigma_px);
+  added.observations.push_back(observation);
+  if (added.keyframe != kNoId) added.in_world.push_back(landmark->in_world);
 }
 
-void AddObservations(const Frame& frame, const Map& map, FrameObservations& observations) {
-  for (int k = 0; k < frame.num_keypoints(); ++k) AddObservation(frame, k, map, observations);
+void AddObservations(const Frame& frame, const Map& map, FrameObservations& added) {
+  for (int k = 0; k < frame.num_keypoints(); ++k) AddObservation(frame, k, map, added);
 }
 
 }  // namespace

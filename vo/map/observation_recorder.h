@@ -8,17 +8,9 @@
 
 #include "vo/core/conventions.h"
 #include "vo/map/map.h"
+#include "vo/map/observation.h"
 
 namespace corvo {
-
-/// A landmark as a frame saw it.
-struct Observation {
-  LandmarkId landmark = kNoId;
-  Eigen::Vector2f pixel;
-  float sigma_px = 1;
-
-  bool operator==(const Observation&) const = default;
-};
 
 /// What a frame observed, for those who want to adjust a sequence afterwards: the map forgets it.
 /// Each posed frame is reported once, when it is posed. A keyframe is reported again, with what is
@@ -27,16 +19,13 @@ struct Observation {
 struct FrameObservations {
   int frame = 0;
   int segment = 0;
-  KeyframeId keyframe = kNoId;  ///< kNoId: reported when the frame was posed.
-  std::vector<Observation> landmarks;
-  std::vector<Eigen::Vector3d> in_world;  ///< Of each of `landmarks`; for keyframes only.
+  KeyframeId keyframe = kNoId;            ///< kNoId: reported when the frame was posed.
+  std::vector<Observation> observations;  ///< Pixels and sigmas in single precision.
+  std::vector<Eigen::Vector3d> in_world;  ///< The landmark of each; for keyframes only.
   std::vector<LandmarkMerge> merges;      ///< Of landmarks, since the previous posed frame.
 };
 
 using ObservationCallback = std::function<void(const FrameObservations&)>;
-
-/// Calls a sink with everything that an odometry gave to its own, in the same order.
-using ObservationSource = std::function<void(const ObservationCallback&)>;
 
 using LandmarkCallback = std::function<void(const MarginalizedLandmark&)>;
 
@@ -44,8 +33,10 @@ using LandmarkCallback = std::function<void(const MarginalizedLandmark&)>;
 /// Without a callback it does nothing.
 class ObservationRecorder {
  public:
-  void SetObservationCallback(ObservationCallback sink) { observation_callback_ = std::move(sink); }
-  void SetLandmarkCallback(LandmarkCallback sink) { landmark_callback_ = std::move(sink); }
+  void SetObservationCallback(ObservationCallback callback) {
+    observation_callback_ = std::move(callback);
+  }
+  void SetLandmarkCallback(LandmarkCallback callback) { landmark_callback_ = std::move(callback); }
 
   /// A recorder that has recorded nothing.
   ObservationRecorder WithSameCallbacks() const;

@@ -22,10 +22,9 @@ struct View {
 };
 
 bool FitsView(const Eigen::Vector3d& in_world, const View& view, const MeasurementModel& model) {
-  const PointObservation observation{in_world, view.frame.pixel(view.keypoint),
-                                     model.Sigma(view.frame, view.keypoint)};
-  return SquaredError(observation, view.frame.world_from_camera.Inverse(), model.camera) <=
-         kChiSquare2Dof95;
+  const Eigen::Vector3d in_camera = view.frame.world_from_camera.Inverse() * in_world;
+  const Observation observation = Observe(view.frame, view.keypoint, model);
+  return SquaredError(in_camera, observation, model.camera) <= kChiSquare2Dof95;
 }
 
 std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,

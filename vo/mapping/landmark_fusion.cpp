@@ -57,28 +57,27 @@ class LandmarkFuser {
     return unobserved;
   }
 
-  bool Fits(const Landmark& landmark, const TrackElement& observation) const {
-    const Frame& frame = map_.keyframe(observation.keyframe).frame;
-    const PointObservation seen{landmark.in_world, frame.pixel(observation.keypoint),
-                                map_.model().Sigma(frame, observation.keypoint)};
-    return SquaredError(seen, frame.world_from_camera.Inverse(), map_.camera()) <= kChiSquare2Dof95;
+  bool Fits(const Landmark& landmark, const TrackElement& element) const {
+    const Frame& frame = map_.keyframe(element.keyframe).frame;
+    const Eigen::Vector3d in_camera = frame.world_from_camera.Inverse() * landmark.in_world;
+    const Observation observation = Observe(frame, element.keypoint, map_.model());
+    return SquaredError(in_camera, observation, map_.camera()) <= kChiSquare2Dof95;
   }
 
   /// Makes a keypoint observe a landmark, merged with the one that it observes, if they agree.
-  void FuseKeypoint(LandmarkId id, const TrackElement& observation) {
+  void FuseKeypoint(LandmarkId id, const TrackElement& element) {
     const Landmark* landmark = map_.FindLandmark(id);
-    if (landmark == nullptr || IsObservedBy(*landmark, observation.keyframe)) return;
-    if (!Fits(*landmark, observation)) return;
-    const LandmarkId present =
-        map_.keyframe(observation.keyframe).frame.landmarks[observation.keypoint];
+    if (landmark == nullptr || IsObservedBy(*landmark, element.keyframe)) return;
+    if (!Fits(*landmark, element)) return;
+    const LandmarkId present = map_.keyframe(element.keyframe).frame.landmarks[element.keypoint];
     if (present == kNoId) {
-      map_.AddTrackElement(id, observation);
-      AlignTrackElement(id, observation, map_);
+      map_.AddTrackElement(id, element);
+      AlignTrackElement(id, element, map_);
     } else {
       fused_.merges.push_back(Merge(map_, id, present));
       id = fused_.merges.back().into;
-      const std::vector<TrackElement> observations = map_.FindLandmark(id)->track;
-      for (const TrackElement& o : observations) AlignTrackElement(id, o, map_);
+      const std::vector<TrackElement> track = map_.FindLandmark(id)->track;
+      for (const TrackElement& other : track) AlignTrackElement(id, other, map_);
     }
     map_.UpdateAppearance(id);
     ++fused_.num_fused;

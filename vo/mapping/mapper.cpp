@@ -63,9 +63,9 @@ MapUpdate Mapper::UseAdjustments(int frame, Map& map, const ObservationRecorder&
   MapUpdate update;
   {
     const StageClock::Scope adjusting(clock, &StageTimes::adjust_ms);
-    update.is_adjusted = adjuster_.Finish(frame, map);
+    update.adjustments = adjuster_.UseResults(frame, map);
   }
-  if (!update.is_adjusted) return update;
+  if (!update.adjustments.any()) return update;
   const StageClock::Scope mapping(clock, &StageTimes::map_ms);
   update.culled = CullKeyframes(map.num_keyframes() - 1, options_.culling, map);
   Marginalize(map, recorder);

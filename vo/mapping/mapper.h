@@ -8,13 +8,13 @@
 #include "vo/map/initial_map.h"
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
-#include "vo/mapping/map_adjuster.h"
+#include "vo/mapping/background_adjuster.h"
 
 namespace corvo {
 
 /// What an update of the map changed, for those who keep poses relative to its keyframes.
 struct MapUpdate {
-  bool is_adjusted = false;        ///< Poses, points and the camera may have changed.
+  UsedAdjustments adjustments;     ///< If any, poses, points and the camera may have changed.
   std::vector<KeyframeId> culled;  ///< In ascending order.
 };
 
@@ -44,16 +44,16 @@ class Mapper {
   MapUpdate Finish(Map& map, ObservationRecorder& recorder, StageClock& clock);
 
   /// Starts an adjustment around the newest keyframe, if it has had none with the present camera.
-  void StartAdjustment(int frame, const Map& map) { adjuster_.Start(map, frame); }
+  void StartAdjustment(int frame, const Map& map) { adjuster_.Start(frame, map); }
   /// Starts an estimate of the camera after the last frame, if newer keyframes have not been used.
   void StartLastCalibration(int frame, const Map& map) {
-    adjuster_.StartLastCalibration(map, frame);
+    adjuster_.StartLastCalibration(frame, map);
   }
 
   /// Marginalizes the keyframes that nothing searches any more.
   void Marginalize(Map& map, const ObservationRecorder& recorder) const;
 
-  const MapAdjuster& adjuster() const { return adjuster_; }
+  const BackgroundAdjuster& adjuster() const { return adjuster_; }
 
  private:
   MapUpdate UseAdjustments(int frame, Map& map, const ObservationRecorder& recorder,
@@ -62,7 +62,7 @@ class Mapper {
   void FuseLandmarks(Map& map, ObservationRecorder& recorder);
 
   OdometryOptions options_;
-  MapAdjuster adjuster_;
+  BackgroundAdjuster adjuster_;
   KeyframeId unfused_ = kNoId;         // The keyframe around which landmarks are to be fused.
   std::vector<LandmarkId> probation_;  // New landmarks, which have to prove themselves.
 };

@@ -10,8 +10,8 @@
 namespace corvo {
 namespace {
 
-CameraModel ModelOf(CalibrationModel description) {
-  switch (description) {
+CameraModel ModelOf(CalibrationModel model) {
+  switch (model) {
     case CalibrationModel::kKb4:
       return CameraModel::kKb4;
     case CalibrationModel::kFov:
@@ -23,9 +23,9 @@ CameraModel ModelOf(CalibrationModel description) {
   return CameraModel::kPinhole;
 }
 
-std::vector<FreeParameter> DistortionOf(CalibrationModel description) {
+std::vector<FreeParameter> DistortionOf(CalibrationModel model) {
   constexpr double kRadialSigma = 0.3, kTangentialSigma = 0.01, kOmegaSigma = 1;
-  switch (description) {
+  switch (model) {
     case CalibrationModel::kPinhole:
       break;
     case CalibrationModel::kRadtan:
@@ -42,8 +42,8 @@ std::vector<FreeParameter> DistortionOf(CalibrationModel description) {
   return {};
 }
 
-double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adjustment) {
-  if (adjustment.outcome != AdjustmentOutcome::kImproved) {
+double InformationCriterion(const CameraPrior& prior, const AdjustmentSummary& adjustment) {
+  if (!adjustment.is_usable()) {
     return std::numeric_limits<double>::infinity();
   }
   return prior.num_free() * std::log(2.0 * adjustment.num_observations) + 2 * adjustment.final_cost;
@@ -51,8 +51,8 @@ double InformationCriterion(const CameraPrior& prior, const FullAdjustment& adju
 
 }  // namespace
 
-std::string_view ToString(CalibrationModel description) {
-  switch (description) {
+std::string_view ToString(CalibrationModel model) {
+  switch (model) {
     case CalibrationModel::kPinhole:
       return "pinhole";
     case CalibrationModel::kRadtan:
@@ -70,24 +70,25 @@ std::vector<CalibrationModel> AllCalibrationModels() {
           CalibrationModel::kKb4};
 }
 
-CameraPrior PriorOf(CalibrationModel description, const Camera& start) {
+CameraPrior PriorOf(CalibrationModel model, const Camera& start) {
   const double center_sigma = 0.02 * start.width();
-  CameraPrior prior{FitCamera(start, ModelOf(description)),
+  CameraPrior prior{FitCamera(start, ModelOf(model)),
                     {{"focal"}, {"cx", center_sigma}, {"cy", center_sigma}}};
-  if (description == CalibrationModel::kPinhole)
+  if (model == CalibrationModel::kPinhole)
     prior.given = WithoutDistortion(prior.given, CameraModel::kPinhole);
   prior.given.cx = 0.5 * (start.width() - 1);
   prior.given.cy = 0.5 * (start.height() - 1);
-  for (const FreeParameter& parameter : DistortionOf(description)) prior.free.push_back(parameter);
+  for (const FreeParameter& parameter : DistortionOf(model)) prior.free.push_back(parameter);
   return prior;
 }
 
-CameraCandidate AdjustCandidate(CalibrationModel description, const Camera& start,
+CameraCandidate AdjustCandidate(CalibrationModel model, const Camera& start,
                                 const std::vector<Bundle>& bundles,
                                 const AdjustmentProgress& progress) {
-  CameraCandidate candidate{description, PriorOf(description, start), {}, bundles, 0};
+  CameraCandidate candidate{model, PriorOf(model, start), {}, bundles, 0};
   candidate.adjustment =
-      AdjustFully(candidate.prior, candidate.prior.given, {}, candidate.bundles, progress);
+      BundleAdjuster({.num_rounds = 2})
+          .Adjust(candidate.prior, candidate.prior.given, candidate.bundles, progress);
   candidate.information_criterion = InformationCriterion(candidate.prior, candidate.adjustment);
   return candidate;
 }

@@ -12,9 +12,9 @@ namespace {
 /// What a refinement made of frames and landmarks.
 class RefinedMap {
  public:
-  /// `bundles` as the record made them, adjusted. Frames with fewer inliers are
-  /// left out.
-  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles, int min_inliers) {
+  /// `bundles` are those of the record, adjusted. Frames with fewer inliers are left out.
+  RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles, int min_inliers)
+      : record_(record) {
     auto frame = record.frames().begin();
     for (const Bundle& bundle : bundles) {
       AddLandmarks(bundle, frame->second.seen.segment);
@@ -28,6 +28,11 @@ class RefinedMap {
   }
 
   const std::map<LandmarkId, MarginalizedLandmark>& landmarks() const { return landmarks_; }
+  /// Null where the landmark, or the one that it was merged into, was not refined.
+  const MarginalizedLandmark* FindLandmark(LandmarkId id) const {
+    const auto found = landmarks_.find(record_.Resolve(id));
+    return found == landmarks_.end() ? nullptr : &found->second;
+  }
   int num_frames() const { return static_cast<int>(moves_.size()); }
   bool IsAdjusted(const FrameKey& frame) const { return moves_.count(frame) > 0; }
 
@@ -66,6 +71,7 @@ class RefinedMap {
     }
   }
 
+  const SequenceRecord& record_;
   std::map<FrameKey, Poses> moves_;
   std::map<LandmarkId, MarginalizedLandmark> landmarks_;
 };
@@ -77,33 +83,34 @@ void SetPose(const SE3& world_from_camera, FrameResult& frame) {
 
 /// Locates a frame among refined landmarks, if enough of them agree.
 std::optional<SE3> Locate(const FrameObservations& frame, const SE3& predicted,
-                          const SequenceRecord& record, const RefinedMap& refined,
-                          const Camera& camera, int min_inliers) {
-  std::vector<PointObservation> observations;
-  for (const Observation& observation : frame.landmarks) {
-    const auto landmark = refined.landmarks().find(record.Resolve(observation.landmark));
-    if (landmark == refined.landmarks().end()) continue;
-    observations.push_back(
-        {landmark->second.in_world, observation.pixel.cast<double>(), observation.sigma_px});
+                          const RefinedMap& refined, const Camera& camera, int min_inliers) {
+  PoseObservations observations;
+  for (const Observation& observation : frame.observations) {
+    const MarginalizedLandmark* landmark = refined.FindLandmark(observation.landmark);
+    if (landmark != nullptr) observations.Add({landmark->in_world}, observation);
   }
   const PoseEstimate estimate = OptimizePose(predicted, observations, camera);
   if (estimate.num_inliers < min_inliers) return std::nullopt;
   return estimate.world_from_camera;
 }
 
-/// Moves all posed frames with the adjusted ones, then places those that are none.
-void PlaceFrames(const SequenceRecord& record, const RefinedMap& refined, const Camera& camera,
-                 int min_inliers, const ObservationSource& observations, Refinement& refinement) {
+/// Moves all posed frames with the adjusted ones.
+void MoveFrames(const RefinedMap& refined, Refinement& refinement) {
   for (FrameResult& frame : refinement.trajectory.frames) {
     if (!frame.world_from_camera) continue;
     refinement.num_moved += !refined.IsAdjusted({frame.segment, frame.index});
     SetPose(refined.Move(frame), frame);
   }
-  observations([&](const FrameObservations& seen) {
+}
+
+/// Locates the posed frames that were not adjusted among the refined landmarks.
+void LocateFrames(const RefinedMap& refined, int min_inliers, const ObservationLog& log,
+                  Refinement& refinement) {
+  const Camera camera(refinement.adjustment.camera);
+  log.Visit([&](const FrameObservations& seen) {
     FrameResult& frame = refinement.trajectory.frames[seen.frame];
     if (seen.keyframe != kNoId || refined.IsAdjusted(KeyOf(seen))) return;
-    const auto located =
-        Locate(seen, *frame.world_from_camera, record, refined, camera, min_inliers);
+    const auto located = Locate(seen, *frame.world_from_camera, refined, camera, min_inliers);
     if (!located) return;
     SetPose(*located, frame);
     ++refinement.num_placed;
@@ -119,21 +126,22 @@ CameraPrior PriorOf(const Odometry& odometry) {
   return prior;
 }
 
-Refinement Refine(const Odometry& odometry, const ObservationSource& observations,
+Refinement Refine(const Odometry& odometry, const ObservationLog& log,
                   const RefinerOptions& options, const AdjustmentProgress& progress) {
-  const SequenceRecord record(odometry, observations, options.sequence);
+  const SequenceRecord record(odometry, log, options.sequence);
   std::vector<Bundle> bundles = record.MakeBundles();
   Refinement refinement;
   refinement.trajectory = odometry.GetTrajectory();
-  refinement.adjustment = AdjustFully(PriorOf(odometry), odometry.camera().parameters(),
-                                      options.adjustment, bundles, progress);
-  if (refinement.adjustment.outcome != AdjustmentOutcome::kImproved) return refinement;
+  refinement.adjustment =
+      BundleAdjuster(options.adjustment)
+          .Adjust(PriorOf(odometry), odometry.camera().parameters(), bundles, progress);
+  if (!refinement.adjustment.is_usable()) return refinement;
   const int min_inliers = odometry.options().tracker.min_inliers;
   const RefinedMap refined(record, bundles, min_inliers);
   refinement.num_adjusted = refined.num_frames();
   for (const auto& [id, landmark] : refined.landmarks()) refinement.landmarks.push_back(landmark);
-  PlaceFrames(record, refined, Camera(refinement.adjustment.camera), min_inliers, observations,
-              refinement);
+  MoveFrames(refined, refinement);
+  LocateFrames(refined, min_inliers, log, refinement);
   return refinement;
 }
 

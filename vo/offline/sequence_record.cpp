@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "vo/optimization/full_adjustment.h"
+#include "vo/optimization/point_selection.h"
 
 namespace corvo {
 namespace {
@@ -38,14 +38,13 @@ void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
       bundle.points.push_back(
           {observation.landmark, local_from_world * in_world.at(observation.landmark)});
     }
-    bundle.observations.push_back({view, static_cast<int>(bundle.points.size()) - 1, kNoId,
-                                   observation.pixel.cast<double>(), observation.sigma_px});
+    bundle.observations.push_back({observation, view, static_cast<int>(bundle.points.size()) - 1});
   }
 }
 
 }  // namespace
 
-SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationSource& observations,
+SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                                const SequenceOptions& options)
     : options_(options) {
   std::set<FrameKey> others;
@@ -57,12 +56,12 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationSource
       AddKeyframe(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
     }
   };
-  observations(keep);
+  log.Visit(keep);
   odometry.VisitKeyframes(keep);
   KeepLandmarks();
   const std::set<FrameKey> chosen = ChooseBetween(others);
   const Trajectory trajectory = odometry.GetTrajectory();
-  observations([&](const FrameObservations& seen) {
+  log.Visit([&](const FrameObservations& seen) {
     if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
     frames_[KeyOf(seen)] = {KnownOf(seen), *trajectory.frames[seen.frame].world_from_camera};
   });
@@ -83,14 +82,15 @@ void SequenceRecord::AddKeyframe(const FrameObservations& seen, const SE3& world
   all.frame = seen.frame;
   all.segment = seen.segment;
   all.keyframe = seen.keyframe;
-  all.landmarks.insert(all.landmarks.end(), seen.landmarks.begin(), seen.landmarks.end());
+  all.observations.insert(all.observations.end(), seen.observations.begin(),
+                          seen.observations.end());
   all.in_world.insert(all.in_world.end(), seen.in_world.begin(), seen.in_world.end());
 }
 
 void SequenceRecord::KeepLandmarks() {
   for (auto& [key, frame] : frames_) {
-    for (std::size_t i = 0; i < frame.seen.landmarks.size(); ++i) {
-      LandmarkId& landmark = frame.seen.landmarks[i].landmark;
+    for (std::size_t i = 0; i < frame.seen.observations.size(); ++i) {
+      LandmarkId& landmark = frame.seen.observations[i].landmark;
       landmark = Resolve(landmark);
       in_world_[landmark] = frame.seen.in_world[i];
     }
@@ -120,9 +120,9 @@ std::set<FrameKey> SequenceRecord::ChooseBetween(const std::set<FrameKey>& other
 
 FrameObservations SequenceRecord::KnownOf(const FrameObservations& seen) const {
   FrameObservations known{seen.frame, seen.segment, seen.keyframe, {}, {}, {}};
-  for (Observation observation : seen.landmarks) {
+  for (Observation observation : seen.observations) {
     observation.landmark = Resolve(observation.landmark);
-    if (in_world_.count(observation.landmark) > 0) known.landmarks.push_back(observation);
+    if (in_world_.count(observation.landmark) > 0) known.observations.push_back(observation);
   }
   return known;
 }
@@ -136,7 +136,7 @@ std::vector<Bundle> SequenceRecord::MakeBundles() const {
     const int view = static_cast<int>(bundle.views.size());
     bundle.views.push_back({frame.seen.keyframe, false,
                             (bundle.world_from_local.Inverse() * frame.world_from_camera).data()});
-    for (const Observation& observation : frame.seen.landmarks) {
+    for (const Observation& observation : frame.seen.observations) {
       entries[frame.seen.segment].push_back({observation, view});
     }
   }

@@ -8,6 +8,7 @@
 
 #include "vo/map/observation_recorder.h"
 #include "vo/odometry.h"
+#include "vo/offline/observation_log.h"
 #include "vo/optimization/bundle.h"
 
 namespace corvo {
@@ -36,8 +37,8 @@ struct AdjustedFrame {
 /// and some between them. Landmarks have their last names.
 class SequenceRecord {
  public:
-  /// `observations` gives what the odometry gave to its sink, as often as it is asked.
-  SequenceRecord(const Odometry& odometry, const ObservationSource& observations,
+  /// `log` has recorded the odometry from its first image on.
+  SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                  const SequenceOptions& options);
 
   /// The landmark that it is part of in the end.

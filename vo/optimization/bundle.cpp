@@ -5,7 +5,7 @@
 
 #include "vo/lie/sim3.h"
 #include "vo/math/median.h"
-#include "vo/optimization/pose_optimizer.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
@@ -36,12 +36,11 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world, Bu
   const Landmark& landmark = *map.FindLandmark(id);
   const int point = static_cast<int>(bundle.points.size());
   bundle.points.push_back({id, local_from_world * landmark.in_world});
-  for (const TrackElement& observation : landmark.track) {
-    const int view = FindView(bundle.views, observation.keyframe);
+  for (const auto& [keyframe, k] : landmark.track) {
+    const int view = FindView(bundle.views, keyframe);
     if (view == kNoId) continue;
-    const Frame& frame = map.keyframe(observation.keyframe).frame;
-    const int k = observation.keypoint;
-    bundle.observations.push_back({view, point, k, frame.pixel(k), map.model().Sigma(frame, k)});
+    const Frame& frame = map.keyframe(keyframe).frame;
+    bundle.observations.push_back({Observe(frame, k, map.model()), view, point});
   }
 }
 
@@ -148,17 +147,17 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window) {
   return bundle;
 }
 
-void MarkOutliers(const Camera& camera, double max_squared_error, Bundle& bundle) {
+void VisitErrors(const Camera& camera, Bundle& bundle,
+                 const std::function<void(Bundle::Observation&, double)>& visit) {
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
   for (Bundle::Observation& observation : bundle.observations) {
-    const PointObservation point{bundle.points[observation.point].in_local, observation.pixel,
-                                 observation.sigma_px};
-    observation.is_inlier =
-        SquaredError(point, camera_from_local[observation.view], camera) <= max_squared_error;
+    const Eigen::Vector3d in_camera =
+        camera_from_local[observation.view] * bundle.points[observation.point].in_local;
+    visit(observation, SquaredError(in_camera, observation, camera));
   }
 }
 
-std::vector<TrackElement> WriteBack(const Bundle& bundle, Map& map) {
+void WriteBack(const Bundle& bundle, Map& map) {
   PropagateCorrection(bundle, map);
   for (const Bundle::View& view : bundle.views) {
     if (view.is_fixed || !map.IsActive(view.keyframe)) continue;
@@ -168,15 +167,13 @@ std::vector<TrackElement> WriteBack(const Bundle& bundle, Map& map) {
     if (map.FindLandmark(point.landmark) == nullptr) continue;
     map.SetPosition(point.landmark, bundle.world_from_local * point.in_local);
   }
-  std::vector<TrackElement> outliers;
   for (const Bundle::Observation& observation : bundle.observations) {
     if (observation.is_inlier) continue;
     const TrackElement outlier{bundle.views[observation.view].keyframe, observation.keypoint};
-    const LandmarkId landmark = bundle.points[observation.point].landmark;
-    outliers.push_back(outlier);
-    if (HasTrackElement(map, landmark, outlier)) map.RemoveTrackElement(landmark, outlier.keyframe);
+    if (HasTrackElement(map, observation.landmark, outlier)) {
+      map.RemoveTrackElement(observation.landmark, outlier.keyframe);
+    }
   }
-  return outliers;
 }
 
 }  // namespace corvo

@@ -1,94 +1,179 @@
 #include "vo/optimization/bundle_adjuster.h"
 
-#include <map>
-#include <set>
-
-#include <ceres/ceres.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "vo/math/chi_square.h"
 #include "vo/math/huber.h"
 #include "vo/optimization/bundle_problem.h"
+#include "vo/optimization/camera_covariance.h"
 #include "vo/optimization/point_adjuster.h"
 #include "vo/optimization/point_selection.h"
-#include "vo/optimization/reprojection_cost.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
 
-ceres::Solver::Summary Solve(const Camera& camera, const BundleAdjusterOptions& options,
-                             const std::vector<char>& is_selected, Bundle& bundle) {
-  ceres::Problem::Options problem_options;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::HuberLoss huber(options.huber_sigmas);
-  ceres::Problem problem(problem_options);
-  for (const Bundle::Observation& observation : bundle.observations) {
-    if (!observation.is_inlier || !is_selected[observation.point]) continue;
-    problem.AddResidualBlock(new ReprojectionCost(camera, observation.pixel, observation.sigma_px),
-                             &huber, bundle.views[observation.view].local_from_camera.data(),
-                             bundle.points[observation.point].in_local.data());
-  }
-  FixGauge(bundle, problem);
-  ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(options.max_iterations), &problem, &summary);
-  return summary;
-}
+constexpr double kCostRounding = 1e-9;  // Of an observation: costs that differ by less are equal.
 
-/// With the landmarks that the free keyframes see, and the others that hold them.
-AdjustmentWindow CompleteWindow(const Map& map, const std::set<KeyframeId>& free,
-                                int min_shared_landmarks) {
-  AdjustmentWindow window;
-  window.free.assign(free.begin(), free.end());
-  window.landmarks = map.FindObserved(window.free);
-  std::map<KeyframeId, int> num_seen;
-  for (const LandmarkId id : window.landmarks) {
-    for (const TrackElement& o : map.FindLandmark(id)->track) {
-      if (free.count(o.keyframe) == 0) ++num_seen[o.keyframe];
+double Square(double x) { return x * x; }
+
+/// Reports which share of all rounds' iterations is done.
+class ProgressCallback : public ceres::IterationCallback {
+ public:
+  ProgressCallback(const AdjustmentOptions& options, int round, const AdjustmentProgress& progress)
+      : options_(options), round_(round), progress_(progress) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    const double share_of_round = static_cast<double>(summary.iteration) / options_.max_iterations;
+    const double share = (round_ + std::min(1.0, share_of_round)) / options_.num_rounds;
+    return !progress_ || progress_(share) ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+  }
+
+ private:
+  const AdjustmentOptions& options_;
+  int round_;
+  const AdjustmentProgress& progress_;
+};
+
+/// One adjustment under way.
+class Adjustment {
+ public:
+  Adjustment(const AdjustmentOptions& options, const CameraPrior& prior,
+             const CameraParameters& start, std::vector<Bundle>& bundles)
+      : options_(options),
+        prior_(prior.Inflated(options.information_factor)),
+        camera_(start),
+        state_{bundles, {}, prior_.Difference(start)} {
+    summary_.camera = start;
+    for (const Bundle& bundle : bundles) {
+      summary_.num_observations += static_cast<int>(bundle.observations.size());
+      state_.is_joint.push_back(options.points_per_view > 0
+                                    ? SelectPoints(bundle, options.points_per_view)
+                                    : std::vector<char>(bundle.points.size(), 1));
     }
   }
-  for (const auto& [id, count] : num_seen) {
-    if (count >= min_shared_landmarks) window.fixed.push_back(id);
+
+  AdjustmentSummary Run(const AdjustmentProgress& progress) {
+    summary_.status = AdjustmentStatus::kNoObservations;
+    if (summary_.num_observations == 0) return summary_;
+    summary_.initial_cost = Evaluate(Square(options_.max_initial_error_sigmas));
+    summary_.status = AdjustmentStatus::kSolverFailed;
+    if (!std::isfinite(summary_.initial_cost)) return summary_;
+    for (int round = 0; round < options_.num_rounds; ++round) {
+      if (!SolveRound(round, progress)) return summary_;
+    }
+    if (progress) progress(1);
+    summary_.final_cost = Evaluate(kChiSquare2Dof95);
+    const double rounding = kCostRounding * summary_.num_observations;
+    if (!(summary_.final_cost <= summary_.initial_cost + rounding)) {
+      summary_.status = AdjustmentStatus::kNotImproved;
+    } else {
+      SetSolution();
+    }
+    return summary_;
   }
-  return window;
-}
+
+ private:
+  /// Lowers the cost over the inliers; returns whether that gives a solution.
+  bool SolveRound(int round, const AdjustmentProgress& progress) {
+    if (round > 0) Evaluate(Square(options_.max_error_sigmas));
+    ProgressCallback callback(options_, round, progress);
+    summary_.status = BundleProblem(prior_, options_, state_).Solve(callback);
+    if (!summary_.is_usable()) return false;
+    const std::optional<Camera> camera = Camera::Make(prior_.Apply(state_.difference));
+    if (!camera) {
+      summary_.status = AdjustmentStatus::kInvalidCamera;
+      return false;
+    }
+    camera_ = *camera;
+    const PointAdjustmentOptions point_options{options_.huber_sigmas, options_.point_iterations};
+    for (std::size_t i = 0; i < state_.bundles.size(); ++i) {
+      AdjustPoints(camera_, state_.is_joint[i], point_options, state_.bundles[i]);
+    }
+    return true;
+  }
+
+  /// Marks as inliers the observations up to a squared error, in units of sigma²; returns the
+  /// robust cost of the joint points.
+  double Evaluate(double max_squared_error) {
+    double sum = prior_.SquaredError(state_.difference);
+    double inlier_sum_px = 0;
+    summary_.num_inliers = 0;
+    for (std::size_t i = 0; i < state_.bundles.size(); ++i) {
+      const std::vector<char>& is_joint = state_.is_joint[i];
+      VisitErrors(camera_, state_.bundles[i], [&](Bundle::Observation& observation, double error) {
+        if (is_joint[observation.point]) sum += RobustLoss(error);
+        observation.is_inlier = error <= max_squared_error;
+        if (!observation.is_inlier) return;
+        ++summary_.num_inliers;
+        inlier_sum_px += error * Square(observation.sigma_px);
+      });
+    }
+    summary_.inlier_rms_px = std::sqrt(inlier_sum_px / std::max(1, summary_.num_inliers));
+    return 0.5 * sum;
+  }
+
+  double RobustLoss(double squared_error) const {
+    return HuberLoss(std::min(squared_error, Square(kUnprojectableError)),
+                     Square(options_.huber_sigmas))
+        .value;
+  }
+
+  void SetSolution() {
+    summary_.camera = camera_.parameters();
+    summary_.estimate.difference = state_.difference;
+    summary_.estimate.covariance = CameraCovariance(prior_, state_) / options_.information_factor;
+  }
+
+  const AdjustmentOptions& options_;
+  CameraPrior prior_;
+  Camera camera_;
+  AdjustmentState state_;
+  AdjustmentSummary summary_;
+};
 
 }  // namespace
 
-AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
-                              const BundleAdjusterOptions& options) {
-  std::set<KeyframeId> free{newest};
-  for (const Covisible& covisible : map.FindCovisible(newest, options.min_shared_landmarks)) {
-    if (static_cast<int>(free.size()) == options.max_keyframes) break;
-    free.insert(covisible.keyframe);
-  }
-  return CompleteWindow(map, free, options.min_shared_landmarks);
+AdjustmentOptions WindowAdjustment(const BundleAdjusterOptions& options) {
+  AdjustmentOptions adjustment;
+  adjustment.max_iterations = options.max_iterations;
+  adjustment.huber_sigmas = options.huber_sigmas;
+  adjustment.points_per_view = options.points_per_keyframe;
+  adjustment.point_iterations = options.point_iterations;
+  return adjustment;
 }
 
-AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
-                                       const BundleAdjusterOptions& options) {
-  std::set<KeyframeId> free;
-  const std::vector<KeyframeId> kept = map.ActiveKeyframes();
-  for (auto id = kept.rbegin(); id != kept.rend(); ++id) {
-    if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
-    free.insert(*id);
-    if (static_cast<int>(free.size()) == max_keyframes) break;
-  }
-  return CompleteWindow(map, free, options.min_shared_landmarks);
+AdjustmentOptions CalibrationAdjustment(const CalibrationOptions& options, int num_keyframes) {
+  AdjustmentOptions adjustment;
+  adjustment.max_iterations = options.max_iterations;
+  adjustment.huber_sigmas = options.huber_sigmas;
+  adjustment.max_initial_error_sigmas = options.gross_error_sigmas;
+  adjustment.information_factor = options.information_factor;
+  // However many keyframes there are, an estimate takes about the same time.
+  adjustment.points_per_view =
+      std::min(options.points_per_keyframe, options.max_points / std::max(1, num_keyframes));
+  return adjustment;
 }
 
-AdjustmentResult AdjustBundle(const Camera& camera, const BundleAdjusterOptions& options,
-                              Bundle& bundle) {
-  constexpr double kProjects = 1e12;
-  const Bundle before = bundle;
-  MarkOutliers(camera, kProjects, bundle);
-  const std::vector<char> is_selected = SelectPoints(bundle, options.points_per_keyframe);
-  const ceres::Solver::Summary summary = Solve(camera, options, is_selected, bundle);
-  if (!summary.IsSolutionUsable()) {
-    bundle = before;
-    return {};
-  }
-  AdjustPoints(camera, is_selected, bundle);
-  MarkOutliers(camera, kChiSquare2Dof95, bundle);
-  return {true, summary.initial_cost, summary.final_cost};
+AdjustmentSummary BundleAdjuster::Adjust(const CameraPrior& prior, const CameraParameters& start,
+                                         std::vector<Bundle>& bundles,
+                                         const AdjustmentProgress& progress) const {
+  prior.Validate();
+  const std::vector<Bundle> before = bundles;
+  const AdjustmentSummary summary = Adjustment(options_, prior, start, bundles).Run(progress);
+  if (!summary.is_usable()) bundles = before;
+  return summary;
+}
+
+AdjustmentSummary BundleAdjuster::Adjust(const Camera& camera, Bundle& bundle) const {
+  std::vector<Bundle> bundles;
+  bundles.push_back(std::move(bundle));
+  const AdjustmentSummary summary = Adjust({camera.parameters(), {}}, camera.parameters(), bundles);
+  bundle = std::move(bundles.front());
+  return summary;
 }
 
 }  // namespace corvo

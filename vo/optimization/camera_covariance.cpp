@@ -108,23 +108,22 @@ class ReducedInformation {
   Eigen::MatrixXd camera_;
 };
 
-Eigen::MatrixXd InformationOf(const Bundle& bundle, const DifferentiableCamera& adjusted,
-                              int num_free) {
+Eigen::MatrixXd InformationOf(const Bundle& bundle, const std::vector<char>& is_joint,
+                              const DifferentiableCamera& adjusted, int num_free) {
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
+  const std::vector<int> offsets = ObservationOffsets(bundle);
   ReducedInformation information(static_cast<int>(bundle.views.size()), num_free);
-  std::vector<Linearized> of_point;
-  for (std::size_t i = 0; i < bundle.observations.size(); ++i) {
-    const Bundle::Observation& observation = bundle.observations[i];
-    if (observation.is_inlier) {
+  for (std::size_t point = 0; point < bundle.points.size(); ++point) {
+    if (!is_joint[point]) continue;
+    std::vector<Linearized> of_point;
+    for (int i = offsets[point]; i < offsets[point + 1]; ++i) {
+      const Bundle::Observation& observation = bundle.observations[i];
+      if (!observation.is_inlier) continue;
       const auto linearized = Linearize(adjusted, camera_from_local[observation.view],
-                                        bundle.points[observation.point].in_local, observation);
+                                        bundle.points[point].in_local, observation);
       if (linearized) of_point.push_back(*linearized);
     }
-    const bool is_last = i + 1 == bundle.observations.size() ||
-                         bundle.observations[i + 1].point != observation.point;
-    if (!is_last) continue;
     if (of_point.size() > 1) information.AddPoint(of_point);
-    of_point.clear();
   }
   return information.MarginalizePoses(bundle.views);
 }
@@ -143,16 +142,15 @@ Eigen::MatrixXd Invert(const Eigen::MatrixXd& information) {
 
 }  // namespace
 
-Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const Eigen::VectorXd& difference,
-                                 const std::vector<Bundle>& bundles) {
+Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const AdjustmentState& state) {
   if (prior.num_free() == 0) return {};
-  const DifferentiableCamera adjusted(prior, difference);
+  const DifferentiableCamera adjusted(prior, state.difference);
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(prior.num_free(), prior.num_free());
   for (int i = 0; i < prior.num_free(); ++i) {
     information(i, i) = 1 / (prior.free[i].sigma * prior.free[i].sigma);
   }
-  for (const Bundle& bundle : bundles) {
-    information += InformationOf(bundle, adjusted, prior.num_free());
+  for (std::size_t i = 0; i < state.bundles.size(); ++i) {
+    information += InformationOf(state.bundles[i], state.is_joint[i], adjusted, prior.num_free());
   }
   return Invert(information);
 }

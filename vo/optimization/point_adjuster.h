@@ -7,8 +7,14 @@
 
 namespace corvo {
 
+struct PointAdjustmentOptions {
+  double huber_sigmas = 1;  ///< Residual at which Huber's loss becomes linear.
+  int max_iterations = 5;
+};
+
 /// Minimizes the robust reprojection error (Huber) of each point of a bundle that is not in
-/// `is_adjusted`, one entry a point, over its position; views and other points stay.
-void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted, Bundle& bundle);
+/// `is_adjusted`, one entry for each point, over its position; views and other points stay.
+void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted,
+                  const PointAdjustmentOptions& options, Bundle& bundle);
 
 }  // namespace corvo

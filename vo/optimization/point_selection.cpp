@@ -4,6 +4,7 @@
 #include <numeric>
 
 namespace corvo {
+
 std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
   const std::vector<int> begin = ObservationOffsets(bundle);
   std::vector<int> order(bundle.points.size());
@@ -24,6 +25,21 @@ std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
       ++num_selected[observation->view];
   }
   return is_selected;
+}
+
+Bundle ThinPoints(const Bundle& bundle, int points_per_view) {
+  const std::vector<int> begin = ObservationOffsets(bundle);
+  const std::vector<char> is_selected = SelectPoints(bundle, points_per_view);
+  Bundle thinned{bundle.world_from_local, bundle.views, {}, {}};
+  for (std::size_t point = 0; point < bundle.points.size(); ++point) {
+    if (!is_selected[point] || begin[point + 1] - begin[point] < 2) continue;
+    for (int i = begin[point]; i < begin[point + 1]; ++i) {
+      thinned.observations.push_back(bundle.observations[i]);
+      thinned.observations.back().point = static_cast<int>(thinned.points.size());
+    }
+    thinned.points.push_back(bundle.points[point]);
+  }
+  return thinned;
 }
 
 }  // namespace corvo

@@ -8,6 +8,7 @@
 #include "vo/math/chi_square.h"
 #include "vo/math/huber.h"
 #include "vo/math/levenberg_marquardt.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
@@ -19,27 +20,27 @@ struct WeightedObservation {
   Eigen::Matrix2d information;
 };
 
-WeightedObservation Weigh(const PointObservation& observation, const SE3& camera_from_world,
-                          const Camera& camera) {
+WeightedObservation Weigh(const KnownPoint& point, const Observation& observation,
+                          const SE3& camera_from_world, const Camera& camera) {
   Eigen::Matrix2d covariance =
       observation.sigma_px * observation.sigma_px * Eigen::Matrix2d::Identity();
   Camera::Jacobian pixel_by_point;
-  if (camera.Project(camera_from_world * observation.in_world, &pixel_by_point)) {
+  if (camera.Project(camera_from_world * point.in_world, &pixel_by_point)) {
     const Camera::Jacobian jacobian = pixel_by_point * camera_from_world.rotation().matrix();
-    covariance += jacobian * observation.covariance * jacobian.transpose();
+    covariance += jacobian * point.covariance * jacobian.transpose();
   }
-  return {observation.in_world, observation.pixel, covariance.inverse()};
+  return {point.in_world, observation.pixel, covariance.inverse()};
 }
 
 /// The least-squares problem of one pose.
 class PoseProblem {
  public:
-  PoseProblem(const SE3& initial, const std::vector<PointObservation>& observations,
-              const Camera& camera)
+  PoseProblem(const SE3& initial, const PoseObservations& observations, const Camera& camera)
       : camera_(camera) {
     const SE3 camera_from_world = initial.Inverse();
-    for (const PointObservation& observation : observations) {
-      observations_.push_back(Weigh(observation, camera_from_world, camera));
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      observations_.push_back(
+          Weigh(observations.points[i], observations.observations[i], camera_from_world, camera));
     }
   }
 
@@ -94,20 +95,21 @@ class PoseProblem {
 };
 
 /// Sets which observations agree with the estimated pose, and how many.
-void ClassifyInliers(const std::vector<PointObservation>& observations, const Camera& camera,
+void ClassifyInliers(const PoseObservations& observations, const Camera& camera,
                      PoseEstimate& estimate) {
   const SE3 camera_from_world = estimate.world_from_camera.Inverse();
   estimate.num_inliers = 0;
   for (std::size_t i = 0; i < observations.size(); ++i) {
+    const Eigen::Vector3d in_camera = camera_from_world * observations.points[i].in_world;
     estimate.is_inlier[i] =
-        SquaredError(observations[i], camera_from_world, camera) <= kChiSquare2Dof95;
+        SquaredError(in_camera, observations.observations[i], camera) <= kChiSquare2Dof95;
     estimate.num_inliers += estimate.is_inlier[i];
   }
 }
 
 }  // namespace
 
-PoseEstimate OptimizePose(const SE3& initial, const std::vector<PointObservation>& observations,
+PoseEstimate OptimizePose(const SE3& initial, const PoseObservations& observations,
                           const Camera& camera, const PoseOptimizerOptions& options) {
   constexpr int kMinInliers = 6;  // With fewer a pose is not overdetermined.
   const PoseProblem problem(initial, observations, camera);

@@ -1,13 +1,34 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "vo/camera/camera.h"
 #include "vo/core/options.h"
 #include "vo/lie/se3.h"
-#include "vo/optimization/reprojection_error.h"
+#include "vo/map/observation.h"
 
 namespace corvo {
+
+/// A point that is observed, and how well it is known.
+struct KnownPoint {
+  Eigen::Vector3d in_world;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of `in_world`.
+};
+
+/// Points and their observations by one frame: observation i is of point i.
+struct PoseObservations {
+  std::vector<KnownPoint> points;
+  std::vector<Observation> observations;
+
+  std::size_t size() const { return points.size(); }
+  void Add(const KnownPoint& point, const Observation& observation) {
+    points.push_back(point);
+    observations.push_back(observation);
+  }
+};
 
 struct PoseEstimate {
   SE3 world_from_camera;
@@ -21,7 +42,7 @@ struct PoseEstimate {
 /// seen before may be known badly from elsewhere. In each round, observations whose SquaredError is
 /// over the 95% quantile of χ² with two degrees of freedom are set aside, and may return in the
 /// next; the first rounds use Huber's loss.
-PoseEstimate OptimizePose(const SE3& initial, const std::vector<PointObservation>& observations,
+PoseEstimate OptimizePose(const SE3& initial, const PoseObservations& observations,
                           const Camera& camera, const PoseOptimizerOptions& options = {});
 
 }  // namespace corvo

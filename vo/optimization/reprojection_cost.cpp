@@ -1,12 +1,19 @@
 #include "vo/optimization/reprojection_cost.h"
 
+#include <algorithm>
+#include <optional>
+
+#include <ceres/normal_prior.h>
 #include <Eigen/Geometry>
+
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
 
 using PoseJacobian = Eigen::Matrix<double, 2, 7, Eigen::RowMajor>;
 using PointJacobian = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
+using CameraJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = X × ω - υ, and along the manifold υ = Rᵀ dt and
 /// ω = 2 vec(q⁻¹ ⊗ dq).
@@ -25,12 +32,17 @@ PoseJacobian ComputePoseJacobian(const Camera::Jacobian& by_camera_point,
 
 }  // namespace
 
-ReprojectionCost::ReprojectionCost(const Camera& camera, const Eigen::Vector2d& pixel,
-                                   double sigma_px)
-    : camera_(camera), pixel_(pixel), sigma_px_(sigma_px) {}
+ReprojectionCost::ReprojectionCost(const AdjustedCamera& camera, const Observation& observation)
+    : camera_(camera), pixel_(observation.pixel), sigma_px_(observation.sigma_px) {
+  set_num_residuals(2);
+  *mutable_parameter_block_sizes() = {7, 3};
+  if (camera.num_free() > 0) mutable_parameter_block_sizes()->push_back(camera.num_free());
+}
 
 bool ReprojectionCost::Evaluate(const double* const* parameters, double* residuals,
                                 double** jacobians) const {
+  if (camera_.camera() == nullptr) return false;
+  const Camera& camera = camera_.camera()->camera();
   const Eigen::Map<const Eigen::Quaterniond> quaternion(parameters[0]);
   const Eigen::Map<const Eigen::Vector3d> translation(parameters[0] + 4);
   const Eigen::Map<const Eigen::Vector3d> in_world(parameters[1]);
@@ -38,8 +50,11 @@ bool ReprojectionCost::Evaluate(const double* const* parameters, double* residua
   const Eigen::Vector3d in_camera = camera_from_world * (in_world - translation);
   Camera::Jacobian by_camera_point;
   const std::optional<Eigen::Vector2d> projected =
-      camera_.Project(in_camera, jacobians != nullptr ? &by_camera_point : nullptr);
-  if (!projected) return false;
+      camera.Project(in_camera, jacobians != nullptr ? &by_camera_point : nullptr);
+  if (!projected) {
+    SetUnprojectable(residuals, jacobians);
+    return true;
+  }
   Eigen::Map<Eigen::Vector2d>{residuals} = (*projected - pixel_) / sigma_px_;
   if (jacobians == nullptr) return true;
   by_camera_point /= sigma_px_;
@@ -49,7 +64,27 @@ bool ReprojectionCost::Evaluate(const double* const* parameters, double* residua
         ComputePoseJacobian(by_camera_point, by_world_point, in_camera, quaternion);
   }
   if (jacobians[1] != nullptr) Eigen::Map<PointJacobian>{jacobians[1]} = by_world_point;
+  if (camera_.num_free() > 0 && jacobians[2] != nullptr) {
+    Eigen::Map<CameraJacobian>{jacobians[2], 2, camera_.num_free()} =
+        camera_.camera()->PixelByDifference(in_camera, *projected) / sigma_px_;
+  }
   return true;
+}
+
+void ReprojectionCost::SetUnprojectable(double* residuals, double** jacobians) const {
+  residuals[0] = kUnprojectableError;
+  residuals[1] = 0;
+  if (jacobians == nullptr) return;
+  for (std::size_t i = 0; i < parameter_block_sizes().size(); ++i) {
+    if (jacobians[i] != nullptr) std::fill_n(jacobians[i], 2 * parameter_block_sizes()[i], 0.0);
+  }
+}
+
+ceres::CostFunction* MakePriorCost(const CameraPrior& prior) {
+  Eigen::VectorXd weights(prior.num_free());
+  for (int i = 0; i < prior.num_free(); ++i) weights[i] = 1 / prior.free[i].sigma;
+  return new ceres::NormalPrior(weights.asDiagonal().toDenseMatrix(),
+                                Eigen::VectorXd::Zero(prior.num_free()));
 }
 
 }  // namespace corvo

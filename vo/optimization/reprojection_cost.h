@@ -1,9 +1,10 @@
 #pragma once
 
-#include <ceres/sized_cost_function.h>
+#include <ceres/cost_function.h>
 #include <Eigen/Core>
 
-#include "vo/camera/camera.h"
+#include "vo/map/observation.h"
+#include "vo/optimization/adjusted_camera.h"
 
 namespace corvo {
 
@@ -13,22 +14,27 @@ namespace corvo {
 ///     r = (project(world_from_camera⁻¹ * x_in_world) - pixel) / sigma
 ///
 /// Parameters: world_from_camera as [qx qy qz qw tx ty tz] with a unit quaternion, on an
-/// SE3Manifold; x_in_world (3). The derivative by the seven pose numbers is the one along the
-/// manifold: times the manifold's PlusJacobian it is d r / d [υ ω]. Evaluation fails where the
-/// point does not project.
-class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 3> {
+/// SE3Manifold; x_in_world (3); and, if anything of the camera is free, its difference from the
+/// given camera. The derivative by the seven numbers of the pose is the one along the manifold:
+/// times the manifold's PlusJacobian it is d r / d [υ ω]. A point that does not project has the
+/// error (kUnprojectableError, 0), and no derivative.
+class ReprojectionCost : public ceres::CostFunction {
  public:
-  /// The camera must live as long as the cost.
-  ReprojectionCost(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_px);
-  ReprojectionCost(Camera&&, const Eigen::Vector2d&, double) = delete;
+  /// The camera has to outlive the cost.
+  ReprojectionCost(const AdjustedCamera& camera, const Observation& observation);
 
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
-  const Camera& camera_;
+  void SetUnprojectable(double* residuals, double** jacobians) const;
+
+  const AdjustedCamera& camera_;
   Eigen::Vector2d pixel_;
   double sigma_px_;
 };
+
+/// d / sigma, one residual for each free parameter of the camera.
+ceres::CostFunction* MakePriorCost(const CameraPrior& prior);
 
 }  // namespace corvo

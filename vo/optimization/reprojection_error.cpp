@@ -5,10 +5,9 @@
 
 namespace corvo {
 
-double SquaredError(const PointObservation& observation, const SE3& camera_from_world,
+double SquaredError(const Eigen::Vector3d& in_camera, const Observation& observation,
                     const Camera& camera) {
-  const std::optional<Eigen::Vector2d> projected =
-      camera.Project(camera_from_world * observation.in_world);
+  const std::optional<Eigen::Vector2d> projected = camera.Project(in_camera);
   if (!projected) return std::numeric_limits<double>::infinity();
   return (*projected - observation.pixel).squaredNorm() /
          (observation.sigma_px * observation.sigma_px);

@@ -34,10 +34,10 @@ Map MakeTwoViewMap(const MeasurementModel& model, const TwoViewResult& motion,
 }
 
 /// Two-view adjustment; the points that are left after outliers were removed. None where it fails.
-std::optional<InitialMap> AdjustTwoViews(const BundleAdjusterOptions& options, Map map) {
+std::optional<InitialMap> AdjustTwoViews(const BundleAdjuster& adjuster, Map map) {
   const AdjustmentWindow window{{0, 1}, {}, map.FindObserved({0, 1})};
   Bundle bundle = CopyBundle(map, window);
-  if (!AdjustBundle(map.camera(), options, bundle).usable) return std::nullopt;
+  if (!adjuster.Adjust(map.camera(), bundle).is_usable()) return std::nullopt;
   WriteBack(bundle, map);
   InitialMap initial;
   initial.first_from_second = map.WorldFromKeyframe(1);
@@ -63,7 +63,9 @@ void NormalizeDepth(InitialMap& map) {
 }  // namespace
 
 Initializer::Initializer(const OdometryOptions& options, const MeasurementModel& model)
-    : options_(options.initializer), adjuster_options_(options.bundle_adjuster), model_(model) {}
+    : options_(options.initializer),
+      adjuster_(WindowAdjustment(options.bundle_adjuster)),
+      model_(model) {}
 
 void Initializer::SetCamera(const Camera& camera) {
   model_.camera = camera;
@@ -121,7 +123,7 @@ void Initializer::MakeMap(const std::vector<orb::Match>& matches, Initialization
   }
   if (motion.reason != Reason::kNone) return;
   std::optional<InitialMap> map =
-      AdjustTwoViews(adjuster_options_, MakeTwoViewMap(model_, motion, matches, first, second));
+      AdjustTwoViews(adjuster_, MakeTwoViewMap(model_, motion, matches, first, second));
   if (!map || static_cast<int>(map->points.size()) < options_.min_points) {
     result.reason = Reason::kBadTriangulation;
     return;

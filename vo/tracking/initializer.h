@@ -16,6 +16,7 @@
 #include "vo/map/frame.h"
 #include "vo/map/initial_map.h"
 #include "vo/map/measurement_model.h"
+#include "vo/optimization/bundle_adjuster.h"
 
 namespace corvo {
 
@@ -72,7 +73,7 @@ class Initializer {
                                      const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
-  BundleAdjusterOptions adjuster_options_;
+  BundleAdjuster adjuster_;
   MeasurementModel model_;
   std::deque<Frame> frames_;
   PlaneHypotheses planes_;

@@ -176,13 +176,13 @@ std::vector<LandmarkId> Tracker::MatchLocalLandmarks(const Map& map, Frame& fram
 
 int Tracker::OptimizePose(const Map& map, const SE3& initial, Frame& frame) const {
   std::vector<int> keypoints;
-  std::vector<PointObservation> observations;
+  PoseObservations observations;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] == kNoId) continue;
     const Landmark& landmark = *map.FindLandmark(frame.landmarks[k]);
     keypoints.push_back(k);
-    observations.push_back({landmark.in_world, frame.pixel(k), map.model().Sigma(frame, k),
-                            LandmarkCovariance(map, landmark)});
+    observations.Add({landmark.in_world, LandmarkCovariance(map, landmark)},
+                     Observe(frame, k, map.model()));
   }
   const PoseEstimate estimate =
       corvo::OptimizePose(initial, observations, map.camera(), pose_optimizer_);

@@ -229,5 +229,17 @@ TEST(CameraTest, RejectsParametersOutOfRange) {
   EXPECT_THAT([&] { Camera{parameters}; }, ThrowsError("camera.k3 is nan"));
 }
 
+TEST(CameraTest, MakeGivesNoCameraWhereTheConstructorThrows) {
+  CameraParameters parameters = Pinhole();
+  EXPECT_EQ(Camera::Make(parameters), Camera(parameters));
+  parameters.fx = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(Camera::Make(parameters), std::nullopt);
+  EXPECT_THROW(Camera{parameters}, Error);
+  parameters = Pinhole();
+  parameters.omega = 0.5;  // Not a parameter of the pinhole model.
+  EXPECT_EQ(Camera::Make(parameters), std::nullopt);
+  EXPECT_THROW(Camera{parameters}, Error);
+}
+
 }  // namespace
 }  // namespace corvo

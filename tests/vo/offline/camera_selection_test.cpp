@@ -29,8 +29,8 @@ std::vector<CameraCandidate> AdjustAll(const CameraParameters& truth) {
   start.fx *= 1.04;
   start.fy *= 1.04;
   std::vector<CameraCandidate> candidates;
-  for (const CalibrationModel description : AllCalibrationModels()) {
-    candidates.push_back(AdjustCandidate(description, Camera(start), bundles));
+  for (const CalibrationModel model : AllCalibrationModels()) {
+    candidates.push_back(AdjustCandidate(model, Camera(start), bundles));
   }
   return candidates;
 }
@@ -39,7 +39,7 @@ TEST(CameraSelectionTest, ACameraWithoutDistortionIsDescribedAsOne) {
   const std::vector<CameraCandidate> candidates = AdjustAll(Centered());
   const int selected = SelectCandidate(candidates);
   ASSERT_NE(selected, kNoId);
-  EXPECT_EQ(candidates[selected].description, CalibrationModel::kPinhole);
+  EXPECT_EQ(candidates[selected].model, CalibrationModel::kPinhole);
   EXPECT_NEAR(candidates[selected].adjustment.camera.fx, Centered().fx, 0.01 * Centered().fx);
 }
 
@@ -51,7 +51,7 @@ TEST(CameraSelectionTest, DistortionIsNotLeftOut) {
   const std::vector<CameraCandidate> candidates = AdjustAll(truth);
   const int selected = SelectCandidate(candidates);
   ASSERT_NE(selected, kNoId);
-  EXPECT_EQ(candidates[selected].description, CalibrationModel::kRadtan);
+  EXPECT_EQ(candidates[selected].model, CalibrationModel::kRadtan);
   EXPECT_NEAR(candidates[selected].adjustment.camera.fx, truth.fx, 0.01 * truth.fx);
   EXPECT_NEAR(candidates[selected].adjustment.camera.k1, truth.k1, 0.02);
 }
@@ -80,10 +80,10 @@ TEST(CameraSelectionTest, WhatWasNotLoweredIsNotTaken) {
 }
 
 TEST(CameraSelectionTest, OfTheFocalLengthNothingIsKnownBefore) {
-  for (const CalibrationModel description : AllCalibrationModels()) {
-    const CameraPrior prior = PriorOf(description, test::PinholeCamera());
+  for (const CalibrationModel model : AllCalibrationModels()) {
+    const CameraPrior prior = PriorOf(model, test::PinholeCamera());
     prior.Validate();
-    EXPECT_EQ(prior.free.front(), FreeParameter{"focal"}) << ToString(description);
+    EXPECT_EQ(prior.free.front(), FreeParameter{"focal"}) << ToString(model);
     EXPECT_EQ(prior.given.cx, 0.5 * (test::PinholeCamera().width() - 1));
   }
 }

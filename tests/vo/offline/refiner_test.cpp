@@ -16,16 +16,13 @@ namespace {
 
 constexpr TimeNs kFrameTime = 100'000'000;
 
-/// An odometry and what it told.
+/// An odometry and the log of its observations.
 struct Recorded {
   explicit Recorded(const OdometryOptions& options = {},
                     const Camera& camera = test::PinholeCamera())
       : odometry(camera, options) {
-    odometry.SetObservationCallback(
-        [this](const FrameObservations& seen) { told.push_back(seen); });
+    odometry.SetObservationCallback(log.Callback());
   }
-  Recorded(const Recorded&) = delete;
-  Recorded& operator=(const Recorded&) = delete;
 
   void Drive(int num_frames, std::uint64_t seed) { Drive(test::MakeDrive(num_frames, seed)); }
 
@@ -34,14 +31,14 @@ struct Recorded {
     odometry.Finish();
   }
 
-  ObservationSource Source() const {
-    return [this](const ObservationCallback& visit) {
-      for (const FrameObservations& seen : told) visit(seen);
-    };
+  std::vector<FrameObservations> Logged() const {
+    std::vector<FrameObservations> logged;
+    log.Visit([&](const FrameObservations& seen) { logged.push_back(seen); });
+    return logged;
   }
 
   Odometry odometry;
-  std::vector<FrameObservations> told;
+  ObservationLog log;
   TimeNs time_ns = 0;
 };
 
@@ -69,8 +66,8 @@ TEST(RefinerTest, LowersTheCostAndAccountsForEveryFrame) {
   Recorded recorded;
   recorded.Drive(40, 1);
   const Trajectory plain = recorded.odometry.GetTrajectory();
-  const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
+  const Refinement refined = Refine(recorded.odometry, recorded.log);
+  ASSERT_TRUE(refined.adjustment.is_usable());
   EXPECT_LT(refined.adjustment.final_cost, refined.adjustment.initial_cost);
   EXPECT_LT(DriveError(refined.trajectory), 1.1 * DriveError(plain));
   EXPECT_GT(refined.landmarks.size(), 100u);
@@ -94,17 +91,17 @@ TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
   recorded.Drive(40, 1);
   RefinerOptions options;
   options.sequence.frames_between = 0;
-  const int num_keyframes = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
+  const int num_keyframes = Refine(recorded.odometry, recorded.log, options).num_adjusted;
   EXPECT_EQ(num_keyframes, static_cast<int>(recorded.odometry.map().ActiveKeyframes().size()));
   options.sequence.frames_between = 1;
-  const int num_more = Refine(recorded.odometry, recorded.Source(), options).num_adjusted;
+  const int num_more = Refine(recorded.odometry, recorded.log, options).num_adjusted;
   EXPECT_GT(num_more, num_keyframes);
   EXPECT_LE(num_more, 2 * num_keyframes + 1);
   options.sequence.frames_between = 9;
   options.sequence.max_frames = 2 * num_keyframes;
-  EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_more);
+  EXPECT_EQ(Refine(recorded.odometry, recorded.log, options).num_adjusted, num_more);
   options.sequence.max_frames = num_keyframes;
-  EXPECT_EQ(Refine(recorded.odometry, recorded.Source(), options).num_adjusted, num_keyframes);
+  EXPECT_EQ(Refine(recorded.odometry, recorded.log, options).num_adjusted, num_keyframes);
 }
 
 TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
@@ -117,15 +114,15 @@ TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
   Recorded newest(options, test::LongDriveCamera());
   newest.Drive(drive);
   std::set<KeyframeId> left;
-  for (const FrameObservations& seen : newest.told) {
+  for (const FrameObservations& seen : newest.Logged()) {
     if (seen.keyframe == kNoId) continue;
     if (!newest.odometry.map().IsActive(seen.keyframe)) left.insert(seen.keyframe);
-    EXPECT_EQ(seen.in_world.size(), seen.landmarks.size());
+    EXPECT_EQ(seen.in_world.size(), seen.observations.size());
   }
   ASSERT_GT(left.size(), 5u);
-  const Refinement all = Refine(everything.odometry, everything.Source());
-  const Refinement some = Refine(newest.odometry, newest.Source());
-  ASSERT_EQ(some.adjustment.outcome, AdjustmentOutcome::kImproved);
+  const Refinement all = Refine(everything.odometry, everything.log);
+  const Refinement some = Refine(newest.odometry, newest.log);
+  ASSERT_TRUE(some.adjustment.is_usable());
   EXPECT_EQ(some.num_adjusted, all.num_adjusted);
   EXPECT_NEAR(some.adjustment.num_observations, all.adjustment.num_observations,
               0.01 * all.adjustment.num_observations);
@@ -142,15 +139,14 @@ TEST(RefinerTest, MergedLandmarksAreOne) {
   Recorded recorded;
   recorded.Drive(40, 1);
   std::set<LandmarkId> merged;
-  for (const FrameObservations& seen : recorded.told) {
+  for (const FrameObservations& seen : recorded.Logged()) {
     for (const LandmarkMerge& merge : seen.merges) {
       EXPECT_TRUE(merged.insert(merge.from).second) << "merged twice";
       EXPECT_EQ(merged.count(merge.into), 0u) << "into what is no more";
     }
   }
   ASSERT_FALSE(merged.empty());
-  for (const MarginalizedLandmark& landmark :
-       Refine(recorded.odometry, recorded.Source()).landmarks) {
+  for (const MarginalizedLandmark& landmark : Refine(recorded.odometry, recorded.log).landmarks) {
     EXPECT_EQ(merged.count(landmark.id), 0u);
   }
 }
@@ -166,8 +162,8 @@ TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
     if (frame.world_from_camera) segments.insert(frame.segment);
   }
   ASSERT_EQ(segments.size(), 2u);
-  const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
+  const Refinement refined = Refine(recorded.odometry, recorded.log);
+  ASSERT_TRUE(refined.adjustment.is_usable());
   for (const int segment : segments) {
     for (std::size_t i = 0; i < plain.frames.size(); ++i) {
       const FrameResult& frame = plain.frames[i];
@@ -185,29 +181,29 @@ TEST(RefinerTest, FallsBackToThePlainTrajectory) {
   recorded.Drive(20, 1);
   FrameObservations broken{1000, 0, 0, {}, {}, {}};
   for (LandmarkId id = 0; id < 50; ++id) {
-    broken.landmarks.push_back({id, {std::numeric_limits<float>::quiet_NaN(), 0}, 1});
+    broken.observations.push_back({id, kNoId, {std::numeric_limits<double>::quiet_NaN(), 0}, 1});
     broken.in_world.emplace_back(0, 0, 5);
   }
-  recorded.told.push_back(broken);
-  const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  EXPECT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kSolverFailed);
+  recorded.log.Callback()(broken);
+  const Refinement refined = Refine(recorded.odometry, recorded.log);
+  EXPECT_EQ(refined.adjustment.status, AdjustmentStatus::kSolverFailed);
   EXPECT_EQ(refined.adjustment.camera, recorded.odometry.camera().parameters());
   ExpectSamePoses(refined.trajectory, recorded.odometry.GetTrajectory());
   const Recorded nothing;
-  EXPECT_EQ(Refine(nothing.odometry, nothing.Source()).adjustment.outcome,
-            AdjustmentOutcome::kNoObservations);
+  EXPECT_EQ(Refine(nothing.odometry, nothing.log).adjustment.status,
+            AdjustmentStatus::kNoObservations);
 }
 
 TEST(RefinerTest, GivesTheSameBitsTwice) {
   const auto refine = [] {
     Recorded recorded;
     recorded.Drive(20, 1);
-    return Refine(recorded.odometry, recorded.Source());
+    return Refine(recorded.odometry, recorded.log);
   };
   const Refinement first = refine(), second = refine();
   ExpectSamePoses(first.trajectory, second.trajectory);
   EXPECT_EQ(first.adjustment.camera, second.adjustment.camera);
-  EXPECT_EQ(first.adjustment.covariance, second.adjustment.covariance);
+  EXPECT_EQ(first.adjustment.estimate.covariance, second.adjustment.estimate.covariance);
 }
 
 TEST(RefinerTest, ACameraTakenAsExactStays) {
@@ -216,8 +212,8 @@ TEST(RefinerTest, ACameraTakenAsExactStays) {
   Recorded recorded(options);
   recorded.Drive(20, 1);
   EXPECT_EQ(PriorOf(recorded.odometry).num_free(), 0);
-  const Refinement refined = Refine(recorded.odometry, recorded.Source());
-  ASSERT_EQ(refined.adjustment.outcome, AdjustmentOutcome::kImproved);
+  const Refinement refined = Refine(recorded.odometry, recorded.log);
+  ASSERT_TRUE(refined.adjustment.is_usable());
   EXPECT_EQ(refined.adjustment.camera, test::PinholeCamera().parameters());
 }
 

@@ -41,7 +41,7 @@ TEST(PointAdjusterTest, OtherPointsReturnToWhereTheyAreSeen) {
     bundle.points[i].in_local += random.Vector<3>(0.1);
   }
   const Bundle disturbed = bundle;
-  AdjustPoints(test::PinholeCamera(), is_adjusted, bundle);
+  AdjustPoints(test::PinholeCamera(), is_adjusted, {}, bundle);
   for (std::size_t i = 0; i < bundle.points.size(); ++i) {
     if (is_adjusted[i]) {
       EXPECT_EQ(bundle.points[i].in_local, disturbed.points[i].in_local);
@@ -84,6 +84,30 @@ TEST(PointSelectionTest, AQuotaThatNoViewFillsTakesAll) {
   test::Random random(4);
   const Bundle bundle = MakeBundle(random);
   EXPECT_THAT(SelectPoints(bundle, 100000), ::testing::Each(1));
+}
+
+TEST(ThinPointsTest, KeepsTheLongestTracksOfEveryView) {
+  Bundle bundle;
+  bundle.views.resize(4);
+  const std::vector<std::vector<int>> tracks = {{0, 1}, {0, 1, 2}, {1, 2}, {3}, {2, 3}, {0, 1}};
+  for (int point = 0; point < 6; ++point) {
+    bundle.points.push_back({10 + point, Eigen::Vector3d::Zero()});
+    for (const int view : tracks[point])
+      bundle.observations.push_back({{10 + point, kNoId, Eigen::Vector2d::Zero(), 1}, view, point});
+  }
+  const auto kept = [&](int max_points) {
+    const Bundle thinned = ThinPoints(bundle, max_points);
+    std::vector<LandmarkId> landmarks;
+    for (const Bundle::Point& point : thinned.points) landmarks.push_back(point.landmark);
+    for (const Bundle::Observation& observation : thinned.observations) {
+      const std::vector<int>& track = tracks[thinned.points[observation.point].landmark - 10];
+      EXPECT_THAT(track, testing::Contains(observation.view));
+    }
+    return landmarks;
+  };
+  EXPECT_THAT(kept(1), testing::ElementsAre(11, 14));
+  EXPECT_THAT(kept(2), testing::ElementsAre(10, 11, 12, 14));
+  EXPECT_THAT(kept(9), testing::ElementsAre(10, 11, 12, 14, 15));
 }
 
 TEST(HuberLossTest, IsQuadraticThenLinear) {

@@ -8,19 +8,20 @@
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
 
 const SE3 kTruth(SO3::Exp({0.1, -0.2, 0.05}), Eigen::Vector3d(0.3, -0.1, 0.2));
 
-std::vector<PointObservation> Observe(int num_points, double sigma_px, test::Random& random) {
+PoseObservations Observe(int num_points, double sigma_px, test::Random& random) {
   const test::PointScene scene = test::MakeBoxScene(num_points, 2, 10, random);
   const Camera camera = test::PinholeCamera();
   const test::SceneView view = test::ObserveScene(scene, camera, kTruth, sigma_px, random);
-  std::vector<PointObservation> observations;
+  PoseObservations observations;
   for (int k = 0; k < view.frame.num_keypoints(); ++k) {
-    observations.push_back({scene.in_world[view.points[k]], view.frame.pixel(k), 1.0});
+    observations.Add({scene.in_world[view.points[k]]}, {kNoId, k, view.frame.pixel(k), 1.0});
   }
   return observations;
 }
@@ -39,7 +40,8 @@ TEST(PoseOptimizerTest, SetsGrossErrorsAside) {
   test::Random random(2);
   auto observations = Observe(300, 0.5, random);
   for (std::size_t i = 0; i < observations.size(); i += 3) {
-    observations[i].pixel += 40 * random.Direction().head<2>() + Eigen::Vector2d(30, 0);
+    observations.observations[i].pixel +=
+        40 * random.Direction().head<2>() + Eigen::Vector2d(30, 0);
   }
   const SE3 initial = kTruth * SE3::Exp(random.Vector<6>(0.05));
   const PoseEstimate estimate = OptimizePose(initial, observations, test::PinholeCamera());
@@ -60,9 +62,10 @@ double MeanError(bool is_reported, int num_scenes) {
   for (int i = 0; i < num_scenes; ++i) {
     auto observations = Observe(100, 0.3, random);
     for (std::size_t k = 0; k < observations.size(); k += 2) {
-      observations[k].in_world += Eigen::Vector3d{random.Gaussian(kSigma), random.Gaussian(kSigma),
-                                                  random.Gaussian(kSigma)};
-      if (is_reported) observations[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
+      observations.points[k].in_world += Eigen::Vector3d{
+          random.Gaussian(kSigma), random.Gaussian(kSigma), random.Gaussian(kSigma)};
+      if (is_reported)
+        observations.points[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
     }
     const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
     sum += (estimate.world_from_camera.translation() - kTruth.translation()).norm();
@@ -77,8 +80,8 @@ TEST(PoseOptimizerTest, PointsThatAreKnownBadlyCountLess) {
 TEST(PoseOptimizerTest, APointThatIsKnownBadlyMustStillBeSeenWhereItIs) {
   test::Random random(4);
   auto observations = Observe(100, 0.3, random);
-  observations[0].covariance = Eigen::Matrix3d::Identity();
-  observations[0].pixel.x() += 10;
+  observations.points[0].covariance = Eigen::Matrix3d::Identity();
+  observations.observations[0].pixel.x() += 10;
   const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
   EXPECT_FALSE(estimate.is_inlier[0]);
   EXPECT_EQ(estimate.num_inliers, static_cast<int>(observations.size()) - 1);
@@ -88,17 +91,17 @@ TEST(PoseOptimizerTest, SurvivesTooFewOrUselessObservations) {
   const Camera camera = test::PinholeCamera();
   EXPECT_EQ(OptimizePose(kTruth, {}, camera).num_inliers, 0);
   EXPECT_EQ(OptimizePose(kTruth, {}, camera).world_from_camera, kTruth);
-  const std::vector<PointObservation> behind(10, {kTruth * Eigen::Vector3d(0, 0, -5), {0, 0}, 1});
+  PoseObservations behind;
+  for (int i = 0; i < 10; ++i) behind.Add({kTruth * Eigen::Vector3d(0, 0, -5)}, {});
   EXPECT_EQ(OptimizePose(kTruth, behind, camera).num_inliers, 0);
 }
 
 TEST(PoseOptimizerTest, SquaredErrorIsInUnitsOfSigma) {
   const Camera camera = test::PinholeCamera();
   // (0, 0, 5) projects to the principal point.
-  const PointObservation observation{{0, 0, 5}, {319.5 + 6, 239.5 + 8}, 2.0};
-  EXPECT_NEAR(SquaredError(observation, SE3(), camera), 25, 1e-12);
-  const PointObservation behind{{0, 0, -5}, {0, 0}, 2.0};
-  EXPECT_EQ(SquaredError(behind, SE3(), camera), std::numeric_limits<double>::infinity());
+  const Observation observation{0, 0, {319.5 + 6, 239.5 + 8}, 2.0};
+  EXPECT_NEAR(SquaredError({0, 0, 5}, observation, camera), 25, 1e-12);
+  EXPECT_EQ(SquaredError({0, 0, -5}, observation, camera), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/support/numeric_jacobian.h"
 #include "tests/support/point_scene.h"
 #include "vo/lie/se3_manifold.h"
+#include "vo/optimization/reprojection_error.h"
 
 namespace corvo {
 namespace {
@@ -18,6 +19,23 @@ Camera DistortedCamera() {
   parameters.p2 = 2e-5;
   return Camera(parameters);
 }
+
+/// A camera that is known exactly, as a least-squares problem has it.
+class ExactCamera {
+ public:
+  explicit ExactCamera(const Camera& camera)
+      : prior_{camera.parameters(), {}}, adjusted_(prior_, difference_) {
+    adjusted_.PrepareForEvaluation(true, true);
+  }
+  ExactCamera(const ExactCamera&) = delete;
+
+  const AdjustedCamera& operator*() const { return adjusted_; }
+
+ private:
+  CameraPrior prior_;
+  Eigen::VectorXd difference_;
+  AdjustedCamera adjusted_;
+};
 
 struct Evaluation {
   Eigen::Vector2d residual;
@@ -35,16 +53,16 @@ Evaluation Evaluate(const ReprojectionCost& cost, const SE3& pose, const Eigen::
 }
 
 TEST(ReprojectionCostTest, ResidualByHand) {
-  const Camera camera = test::PinholeCamera();
-  const ReprojectionCost cost(camera, {319.5 + 99, 239.5 - 50}, 2.0);
+  const ExactCamera camera(test::PinholeCamera());
+  const ReprojectionCost cost(*camera, {0, 0, {319.5 + 99, 239.5 - 50}, 2.0});
   const Evaluation evaluation = Evaluate(cost, SE3(), {1, -0.5, 5});
   EXPECT_THAT(evaluation.residual, test::IsMatrixNear(Eigen::Vector2d(0.5, 0), 1e-12));
 }
 
 TEST(ReprojectionCostTest, JacobiansAreTheDerivatives) {
   test::Random random(3);
-  const Camera camera = DistortedCamera();
-  const ReprojectionCost cost(camera, {300, 200}, 1.7);
+  const ExactCamera camera(DistortedCamera());
+  const ReprojectionCost cost(*camera, {0, 0, {300, 200}, 1.7});
   for (int i = 0; i < 50; ++i) {
     const SE3 pose = random.Pose(3, 5);
     const Eigen::Vector3d point =
@@ -62,12 +80,49 @@ TEST(ReprojectionCostTest, JacobiansAreTheDerivatives) {
   }
 }
 
-TEST(ReprojectionCostTest, FailsBehindTheCamera) {
-  const Camera camera = test::PinholeCamera();
-  const ReprojectionCost cost(camera, {0, 0}, 1.0);
+TEST(ReprojectionCostTest, PointBehindTheCameraHasALargeErrorAndNoDerivative) {
+  const ExactCamera camera(test::PinholeCamera());
+  const ReprojectionCost cost(*camera, {0, 0, {0, 0}, 1.0});
+  const Evaluation evaluation = Evaluate(cost, SE3(), {0, 0, -1});
+  EXPECT_EQ(evaluation.residual, Eigen::Vector2d(kUnprojectableError, 0));
+  EXPECT_TRUE(evaluation.by_pose.isZero());
+  EXPECT_TRUE(evaluation.by_point.isZero());
+}
+
+TEST(ReprojectionCostTest, DerivativeByTheCameraIsThatOfTheProjection) {
+  const CameraPrior prior{DistortedCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
+  Eigen::VectorXd difference = Eigen::Vector3d(0.01, 2, -0.02);
+  AdjustedCamera adjusted(prior, difference);
+  const ReprojectionCost cost(adjusted, {0, 0, {300, 200}, 1.7});
   const SE3::Data pose = SE3().data();
-  const Eigen::Vector3d behind(0, 0, -1);
-  const double* parameters[] = {pose.data(), behind.data()};
+  const Eigen::Vector3d point(0.8, -0.5, 4);
+  const auto residual_at = [&](const Eigen::Vector3d& moved, double** jacobians) {
+    difference = moved;
+    adjusted.PrepareForEvaluation(true, true);
+    const double* parameters[] = {pose.data(), point.data(), difference.data()};
+    Eigen::Vector2d residual;
+    EXPECT_TRUE(cost.Evaluate(parameters, residual.data(), jacobians));
+    return residual;
+  };
+  const Eigen::Vector3d at(0.01, 2, -0.02);
+  const auto expected = test::NumericJacobianAt<2, 3>(
+      at, [&](const Eigen::Vector3d& moved) { return residual_at(moved, nullptr); });
+  Eigen::Matrix<double, 2, 3, Eigen::RowMajor> by_camera;
+  double* jacobians[] = {nullptr, nullptr, by_camera.data()};
+  residual_at(at, jacobians);
+  EXPECT_THAT(by_camera.eval(), test::IsMatrixNear(expected, 1e-5));
+}
+
+TEST(ReprojectionCostTest, EvaluationFailsWhereTheDifferenceIsNotThatOfACamera) {
+  const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}}};
+  Eigen::VectorXd difference = Eigen::VectorXd::Constant(1, 1000);
+  AdjustedCamera adjusted(prior, difference);
+  adjusted.PrepareForEvaluation(true, true);
+  EXPECT_EQ(adjusted.camera(), nullptr);
+  const ReprojectionCost cost(adjusted, {0, 0, {300, 200}, 1.7});
+  const SE3::Data pose = SE3().data();
+  const Eigen::Vector3d point(0, 0, 4);
+  const double* parameters[] = {pose.data(), point.data(), difference.data()};
   double residual[2];
   EXPECT_FALSE(cost.Evaluate(parameters, residual, nullptr));
 }

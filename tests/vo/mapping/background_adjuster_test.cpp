@@ -1,4 +1,4 @@
-#include "vo/mapping/map_adjuster.h"
+#include "vo/mapping/background_adjuster.h"
 
 #include <gmock/gmock.h>
 
@@ -45,121 +45,138 @@ OdometryOptions FixedCamera() {
   return options;
 }
 
-MapAdjuster MakeAdjuster(const OdometryOptions& options) {
+BackgroundAdjuster MakeAdjuster(const OdometryOptions& options) {
   return {MakePrior(test::PinholeCamera().parameters(), options.calibration), options};
 }
 
-TEST(MapAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
+TEST(BackgroundAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
   test::Random random(1);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random, 8);
   const SE3 before = map.WorldFromKeyframe(4);
-  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
-  adjuster.Start(map, 10);
-  EXPECT_FALSE(adjuster.Finish(13, map));
+  BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(10, map);
+  EXPECT_FALSE(adjuster.UseResults(13, map).any());
   EXPECT_EQ(map.WorldFromKeyframe(4), before);
-  EXPECT_TRUE(adjuster.Finish(14, map));
+  EXPECT_TRUE(adjuster.UseResults(14, map).any());
   EXPECT_NE(map.WorldFromKeyframe(4), before);
 }
 
-TEST(MapAdjusterTest, TheResultIsDueSoonerWhereKeyframesFollowEachOtherFast) {
+TEST(BackgroundAdjusterTest, TheResultIsDueSoonerWhereKeyframesFollowEachOtherFast) {
   test::Random random(1);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random, 1);
-  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
-  adjuster.Start(map, 10);
-  EXPECT_FALSE(adjuster.Finish(11, map));
-  EXPECT_TRUE(adjuster.Finish(12, map));
+  BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(10, map);
+  EXPECT_FALSE(adjuster.UseResults(11, map).any());
+  EXPECT_TRUE(adjuster.UseResults(12, map).any());
 }
 
-TEST(MapAdjusterTest, GivesTheWindowThatAdjustBundleGives) {
+TEST(BackgroundAdjusterTest, GivesTheWindowOfTheBundleAdjuster) {
   test::Random random(2);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
   Map expected = map;
   const OdometryOptions options = FixedCamera();
   Bundle bundle = CopyBundle(expected, SelectWindow(expected, 4, options.bundle_adjuster));
-  AdjustBundle(test::PinholeCamera(), options.bundle_adjuster, bundle);
+  BundleAdjuster(WindowAdjustment(options.bundle_adjuster)).Adjust(test::PinholeCamera(), bundle);
   WriteBack(bundle, expected);
-  MapAdjuster adjuster = MakeAdjuster(options);
-  adjuster.Start(map, 0);
-  adjuster.Finish(kEnd, map);
+  BackgroundAdjuster adjuster = MakeAdjuster(options);
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
   for (KeyframeId id = 0; id < 5; ++id) {
     EXPECT_EQ(map.WorldFromKeyframe(id), expected.WorldFromKeyframe(id)) << id;
   }
 }
 
-TEST(MapAdjusterTest, AWindowIsAdjustedOnce) {
+TEST(BackgroundAdjusterTest, AWindowIsAdjustedOnce) {
   test::Random random(3);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
-  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
-  adjuster.Start(map, 0);
-  EXPECT_TRUE(adjuster.Finish(kEnd, map));
-  adjuster.Start(map, 1);
-  EXPECT_FALSE(adjuster.Finish(kEnd, map));
+  BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(0, map);
+  EXPECT_TRUE(adjuster.UseResults(kEnd, map).any());
+  adjuster.Start(1, map);
+  EXPECT_FALSE(adjuster.UseResults(kEnd, map).any());
 }
 
-TEST(MapAdjusterTest, FindsTheCameraThatTheImagesWereTakenWith) {
+TEST(BackgroundAdjusterTest, FindsTheCameraThatTheImagesWereTakenWith) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
-  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
-  adjuster.Start(map, 0);
+  BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(0, map);
   EXPECT_EQ(map.camera().parameters().k1, 0);
-  adjuster.Finish(kEnd, map);
+  adjuster.UseResults(kEnd, map);
   EXPECT_FALSE(adjuster.prior_rejected());
   EXPECT_NEAR(map.camera().parameters().k1, 0.04, 0.01);
   EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
 }
 
-TEST(MapAdjusterTest, ALastEstimateUsesKeyframesThatToldNone) {
+TEST(BackgroundAdjusterTest, ALastEstimateUsesKeyframesThatToldNone) {
   test::Random random(4), again(4);
   Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
   Map grown = MakeDisturbedMap(15, test::PinholeCamera(), again);
-  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
-  adjuster.Start(map, 0);
-  adjuster.Finish(kEnd, map);
+  BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
   const Eigen::MatrixXd before = adjuster.camera_estimate().covariance;
-  adjuster.StartLastCalibration(map, 0);
-  EXPECT_FALSE(adjuster.Finish(kEnd, map));
-  adjuster.StartLastCalibration(grown, 0);
-  EXPECT_TRUE(adjuster.Finish(kEnd, grown));
+  adjuster.StartLastCalibration(0, map);
+  EXPECT_FALSE(adjuster.UseResults(kEnd, map).any());
+  adjuster.StartLastCalibration(0, grown);
+  EXPECT_TRUE(adjuster.UseResults(kEnd, grown).any());
   EXPECT_LT(adjuster.camera_estimate().covariance.trace(), before.trace());
 }
 
-TEST(MapAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
+TEST(BackgroundAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
-  MapAdjuster adjuster({test::PinholeCamera().parameters(), {{"k1", 0.05}}}, OdometryOptions());
-  adjuster.Start(map, 0);
-  adjuster.Finish(kEnd, map);
+  BackgroundAdjuster adjuster({test::PinholeCamera().parameters(), {{"k1", 0.05}}},
+                              OdometryOptions());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
   CameraParameters expected = test::PinholeCamera().parameters();
   expected.k1 = map.camera().parameters().k1;
   EXPECT_NEAR(expected.k1, 0.04, 0.005);
   EXPECT_EQ(map.camera().parameters(), expected);
 }
 
-TEST(MapAdjusterTest, AFixedCameraStays) {
+TEST(BackgroundAdjusterTest, AFixedCameraStays) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
-  MapAdjuster adjuster = MakeAdjuster(FixedCamera());
-  adjuster.Start(map, 0);
-  adjuster.Finish(kEnd, map);
+  BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
   EXPECT_EQ(adjuster.camera_prior().num_free(), 0);
   EXPECT_EQ(map.camera(), test::PinholeCamera());
 }
 
-TEST(MapAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
+TEST(BackgroundAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   test::Random random(5);
   Map map = MakeDistortedMap(0.3, random);
   Map with_fixed_camera = map;
-  MapAdjuster adjuster = MakeAdjuster(OdometryOptions());
-  adjuster.Start(map, 0);
-  adjuster.Finish(kEnd, map);
+  BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
   EXPECT_TRUE(adjuster.prior_rejected());
   EXPECT_EQ(map.camera().parameters().k1, 0);
-  MapAdjuster fixed = MakeAdjuster(FixedCamera());
-  fixed.Start(with_fixed_camera, 0);
-  fixed.Finish(kEnd, with_fixed_camera);
+  BackgroundAdjuster fixed = MakeAdjuster(FixedCamera());
+  fixed.Start(0, with_fixed_camera);
+  fixed.UseResults(kEnd, with_fixed_camera);
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
     EXPECT_EQ(map.WorldFromKeyframe(id), with_fixed_camera.WorldFromKeyframe(id)) << id;
   }
+}
+
+TEST(BackgroundAdjusterTest, FailureIsReportedAndLeavesTheMap) {
+  test::Random random(6);
+  Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
+  const Eigen::Vector2d nan = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  map.SetPixel({13, 0}, nan, nan);
+  std::vector<SE3> before;
+  for (KeyframeId id = 0; id < 14; ++id) before.push_back(map.WorldFromKeyframe(id));
+  BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(0, map);
+  const UsedAdjustments used = adjuster.UseResults(kEnd, map);
+  EXPECT_EQ(used.window, AdjustmentStatus::kSolverFailed);
+  EXPECT_EQ(used.camera, AdjustmentStatus::kSolverFailed);
+  for (KeyframeId id = 0; id < 14; ++id) EXPECT_EQ(map.WorldFromKeyframe(id), before[id]) << id;
+  EXPECT_EQ(map.camera(), test::PinholeCamera());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "apps/output/observation_spool.h"
+#include "vo/offline/observation_log.h"
 
 #include <gmock/gmock.h>
 
@@ -11,39 +11,45 @@ FrameObservations MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
   FrameObservations seen{frame, frame / 10, keyframe, {}, {}, {}};
   for (int i = 0; i < num_landmarks; ++i) {
     const auto shift = static_cast<float>(i);
-    seen.landmarks.push_back({7 * frame + i, {shift / 3, 100 - shift}, 0.6F + shift});
+    seen.observations.push_back({7 * frame + i, kNoId, {shift / 3, 100 - shift}, 0.6F + shift});
     if (keyframe != kNoId) seen.in_world.emplace_back(i / 7.0, -i, 1e-9 * frame);
   }
   if (frame % 2 == 1) seen.merges = {{frame, 2}, {3, frame}};
   return seen;
 }
 
-TEST(ObservationSpool, GivesBackWhatItTook) {
-  ObservationSpool spool;
-  spool.ForEach([](const FrameObservations&) { FAIL(); });
+TEST(ObservationLogTest, GivesBackWhatItTook) {
+  ObservationLog log;
+  const ObservationCallback add = log.Callback();
+  log.Visit([](const FrameObservations&) { FAIL(); });
   const std::vector<FrameObservations> given = {MakeFrame(0, kNoId, 3), MakeFrame(11, 4, 2),
                                                 MakeFrame(12, kNoId, 0), MakeFrame(13, kNoId, 1)};
   std::size_t num_bytes = 0;
   for (std::size_t count = 1; count <= given.size(); ++count) {
     const FrameObservations& last = given[count - 1];
-    spool.Add(last);
+    add(last);
     num_bytes +=
-        24 + 16 * last.landmarks.size() + 24 * last.in_world.size() + 8 * last.merges.size();
+        24 + 16 * last.observations.size() + 24 * last.in_world.size() + 8 * last.merges.size();
     std::size_t i = 0;
-    spool.ForEach([&](const FrameObservations& seen) {  // Reading does not disturb writing.
+    log.Visit([&](const FrameObservations& seen) {  // Reading does not disturb writing.
       ASSERT_LT(i, count);
       EXPECT_EQ(seen.frame, given[i].frame);
       EXPECT_EQ(seen.segment, given[i].segment);
       EXPECT_EQ(seen.keyframe, given[i].keyframe);
-      EXPECT_EQ(seen.landmarks, given[i].landmarks);
+      EXPECT_EQ(seen.observations, given[i].observations);
       EXPECT_EQ(seen.in_world, given[i].in_world);
       EXPECT_EQ(seen.merges, given[i].merges);
       ++i;
     });
     EXPECT_EQ(i, count);
-    EXPECT_EQ(spool.size(), static_cast<int>(count));
-    EXPECT_EQ(spool.num_bytes(), num_bytes);
+    EXPECT_EQ(log.size(), static_cast<int>(count));
+    EXPECT_EQ(log.num_bytes(), num_bytes);
   }
+}
+
+TEST(ObservationLogTest, CallbackMayOutliveTheLog) {
+  ObservationCallback add = ObservationLog().Callback();
+  EXPECT_NO_THROW(add(MakeFrame(0, kNoId, 3)));
 }
 
 }  // namespace

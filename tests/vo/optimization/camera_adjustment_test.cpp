@@ -1,4 +1,4 @@
-#include "vo/optimization/bundle_calibrator.h"
+#include "vo/optimization/bundle_adjuster.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,6 @@
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
-#include "vo/optimization/bundle_adjuster.h"
 
 namespace corvo {
 namespace {
@@ -53,10 +52,13 @@ CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const Calibrati
                         test::Random& random) {
   const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
   Bundle bundle = CopyAll(MakeViewMap(Camera(prior.Apply(truth)), path, random));
-  AdjustBundle(Camera(prior.given), BundleAdjusterOptions(), bundle);
-  const auto estimate = CalibrateBundle(prior, Eigen::Vector3d::Zero(), options, bundle);
-  EXPECT_TRUE(estimate);
-  return estimate.value_or(PriorEstimate(prior));
+  BundleAdjuster(WindowAdjustment({})).Adjust(Camera(prior.given), bundle);
+  std::vector<Bundle> bundles{bundle};
+  const int num_keyframes = static_cast<int>(bundle.views.size());
+  const AdjustmentSummary summary = BundleAdjuster(CalibrationAdjustment(options, num_keyframes))
+                                        .Adjust(prior, prior.given, bundles);
+  EXPECT_TRUE(summary.is_usable()) << ToString(summary.status);
+  return summary.estimate;
 }
 
 Eigen::Vector3d Sigmas(const CalibrationOptions& options) {
@@ -75,7 +77,7 @@ CalibrationOptions LooseOptions() {
   return options;
 }
 
-TEST(BundleCalibratorTest, ATurningCameraTellsItsDistortionAndHowSurely) {
+TEST(CameraAdjustmentTest, ATurningCameraTellsItsDistortionAndHowSurely) {
   const CalibrationOptions options = LooseOptions();
   test::Random random(1);
   constexpr int kRuns = 20;
@@ -92,7 +94,7 @@ TEST(BundleCalibratorTest, ATurningCameraTellsItsDistortionAndHowSurely) {
   EXPECT_LT(sum / (3 * kRuns), 2.0);
 }
 
-TEST(BundleCalibratorTest, WhereTheMotionDoesNotTellThePriorStays) {
+TEST(CameraAdjustmentTest, WhereTheMotionDoesNotTellThePriorStays) {
   const CalibrationOptions options = LooseOptions();
   test::Random random(2);
   for (const Path path : {Path::kStraight, Path::kTurnInPlace}) {
@@ -105,7 +107,7 @@ TEST(BundleCalibratorTest, WhereTheMotionDoesNotTellThePriorStays) {
   EXPECT_GT(std::sqrt(straight.covariance(0, 0)), 0.8 * options.focal_sigma);
 }
 
-TEST(BundleCalibratorTest, ASurePriorHolds) {
+TEST(CameraAdjustmentTest, ASurePriorHolds) {
   CalibrationOptions options;
   options.focal_sigma = options.k1_sigma = options.k2_sigma = 1e-6;
   test::Random random(3);
@@ -114,7 +116,7 @@ TEST(BundleCalibratorTest, ASurePriorHolds) {
               test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 1e-5));
 }
 
-TEST(BundleCalibratorTest, GivesTheSameBitsTwice) {
+TEST(CameraAdjustmentTest, GivesTheSameBitsTwice) {
   const auto estimate = [] {
     test::Random random(4);
     return Estimate({0, 0.02, 0}, Path::kTurning, LooseOptions(), random);

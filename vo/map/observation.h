@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vo/core/conventions.h"
+
+namespace corvo {
+
+/// A landmark observed in an image: the one type of a measurement, from matching to bundle
+/// adjustment.
+struct Observation {
+  LandmarkId landmark = kNoId;
+  int keypoint = kNoId;                             ///< In its frame; kNoId if not known.
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< Of the input image.
+  double sigma_px = 1;                              ///< Standard deviation along each axis.
+
+  bool operator==(const Observation&) const = default;
+};
+
+}  // namespace corvo

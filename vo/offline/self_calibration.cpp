@@ -1,0 +1,245 @@
+#include "vo/offline/self_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "orb/error.h"
+#include "vo/odometry.h"
+#include "vo/offline/image_pairs.h"
+#include "vo/offline/observation_log.h"
+#include "vo/offline/sequence_record.h"
+
+namespace corvo {
+namespace {
+
+using Stage = CalibrationStep::Stage;
+
+/// Asks the callback whether to go on, and remembers that it said no.
+class Progress {
+ public:
+  explicit Progress(const CalibrationProgress& callback) : callback_(callback) {}
+
+  bool Report(const CalibrationStep& step) {
+    if (!is_cancelled_ && callback_ && !callback_(step)) is_cancelled_ = true;
+    return !is_cancelled_;
+  }
+  bool is_cancelled() const { return is_cancelled_; }
+
+ private:
+  const CalibrationProgress& callback_;
+  bool is_cancelled_ = false;
+};
+
+/// All sequences are of one camera. Throws where an image has another size than those before.
+void CheckSize(const StreamImage& image, const cv::Size& size) {
+  if (image.image.size() == size) return;
+  throw Error(fmt::format("{}: the image is {} x {} px, others {} x {} px", image.name,
+                          image.image.cols, image.image.rows, size.width, size.height));
+}
+
+/// The length of a sequence, counted where only its end tells.
+int CountImages(const StreamOpener& open, Progress& progress) {
+  const std::unique_ptr<ImageStream> stream = open();
+  if (const std::optional<int> size = stream->size()) return *size;
+  int count = 0;
+  while (stream->Skip() && progress.Report({Stage::kFocalSearch})) ++count;
+  return count;
+}
+
+/// Matches pairs of images of all sequences.
+class PairCollector {
+ public:
+  PairCollector(int pairs_per_sequence, Progress& progress)
+      : pairs_per_sequence_(pairs_per_sequence), progress_(progress) {}
+
+  void Add(const StreamOpener& open) {
+    const int num_images = CountImages(open, progress_);
+    ImagePairs sequence(num_images, pairs_per_sequence_);
+    const std::unique_ptr<ImageStream> stream = open();
+    for (int i = 0; progress_.Report(StepAt(i, num_images)); ++i) {
+      if (!sequence.Needs(i)) {
+        if (!stream->Skip()) break;
+        continue;
+      }
+      const std::optional<StreamImage> next = stream->Next();
+      if (!next) break;
+      if (size_.empty()) size_ = next->image.size();
+      CheckSize(*next, size_);
+      sequence.Add(i, next->image, next->mask);
+    }
+    for (PixelMatches& matches : sequence.Get()) pairs_.push_back(std::move(matches));
+  }
+
+  const cv::Size& size() const { return size_; }
+  const std::vector<PixelMatches>& pairs() const { return pairs_; }
+
+ private:
+  static CalibrationStep StepAt(int i, int num_images) {
+    CalibrationStep step;
+    step.share = std::min(1.0, static_cast<double>(i) / std::max(1, num_images));
+    return step;
+  }
+
+  int pairs_per_sequence_;
+  Progress& progress_;
+  cv::Size size_;
+  std::vector<PixelMatches> pairs_;
+};
+
+CameraPrior MakeFocalPrior(const FocalSearchResult& search, const SelfCalibrationOptions& options) {
+  const double center_sigma_px = options.center_sigma_share * search.camera.width;
+  const double focal_sigma =
+      std::clamp(search.focal_sigma, options.min_focal_sigma, options.max_focal_sigma);
+  return {search.camera,
+          {{"focal", focal_sigma},
+           {"cx", center_sigma_px},
+           {"cy", center_sigma_px},
+           {"k1", options.k1_sigma},
+           {"k2", options.k2_sigma}}};
+}
+
+CameraStart SearchStart(const std::vector<StreamOpener>& sequences,
+                        const SelfCalibrationOptions& options, Progress& progress) {
+  const int num_sequences = std::max(1, static_cast<int>(sequences.size()));
+  PairCollector collector(std::max(1, options.max_pairs / num_sequences), progress);
+  for (const StreamOpener& open : sequences) collector.Add(open);
+  if (progress.is_cancelled()) return {};
+  CameraStart start;
+  start.search = SearchFocal(collector.pairs(), collector.size().width, collector.size().height);
+  start.prior = MakeFocalPrior(start.search, options);
+  return start;
+}
+
+/// Gives an odometry the images of a stream, at most so many, and finishes it.
+void ProcessStream(ImageStream& stream, int max_images, CalibrationStep step, Progress& progress,
+                   Odometry& odometry) {
+  for (int num_read = 0; num_read < max_images; ++num_read) {
+    if (stream.size()) {
+      step.share = static_cast<double>(num_read) / std::min(max_images, *stream.size());
+    }
+    if (!progress.Report(step)) return;
+    const std::optional<StreamImage> next = stream.Next();
+    if (!next) break;
+    CheckSize(*next, {odometry.camera().width(), odometry.camera().height()});
+    odometry.Process(next->image, next->time_ns, next->mask);
+  }
+  odometry.Finish();
+}
+
+/// The calibration of one camera, under way.
+class Calibrator {
+ public:
+  Calibrator(const std::vector<StreamOpener>& sequences,
+             const std::vector<CalibrationModel>& models, const SelfCalibrationOptions& options,
+             Progress& progress)
+      : sequences_(sequences), models_(models), options_(options), progress_(progress) {}
+
+  /// Candidates of all models, from what is known of the camera; none where nothing was tracked.
+  std::vector<CameraCandidate> Run(CameraPrior prior) {
+    // While the tracks change, one model is enough.
+    const CalibrationModel first =
+        models_.size() == 1 ? models_.front() : CalibrationModel::kRadtan;
+    for (int round = 1;; ++round) {
+      const std::vector<Bundle> bundles = TrackAll(prior, round);
+      if (bundles.empty()) return {};
+      const CameraCandidate candidate = Adjust(first, Camera(prior.given), bundles);
+      const AdjustmentSummary& adjustment = candidate.adjustment;
+      const double change = std::abs(std::log(adjustment.camera.fx / prior.given.fx));
+      const bool is_last = round == options_.max_rounds || change < options_.max_focal_change;
+      if (!adjustment.is_usable() || is_last) return AdjustAll(candidate, bundles);
+      prior = {adjustment.camera, EstimatedSigmas(candidate)};
+    }
+  }
+
+ private:
+  std::vector<Bundle> TrackAll(const CameraPrior& prior, int round) {
+    std::vector<Bundle> bundles;
+    for (int i = 0; i < static_cast<int>(sequences_.size()); ++i) {
+      Odometry odometry(prior, options_.odometry, options_.threads);
+      ObservationLog log;
+      odometry.SetObservationCallback(log.Callback());
+      ProcessStream(*sequences_[i](), std::numeric_limits<int>::max(),
+                    {Stage::kTracking, round, i, {}, {}}, progress_, odometry);
+      if (progress_.is_cancelled()) return {};
+      for (Bundle& bundle : SequenceRecord(odometry, log, {}).MakeBundles()) {
+        bundles.push_back(std::move(bundle));
+      }
+    }
+    return bundles;
+  }
+
+  CameraCandidate Adjust(CalibrationModel model, const Camera& start,
+                         const std::vector<Bundle>& bundles) {
+    return AdjustCandidate(model, start, bundles, [&](double share) {
+      return progress_.Report({Stage::kAdjustment, 0, 0, model, share});
+    });
+  }
+
+  std::vector<CameraCandidate> AdjustAll(const CameraCandidate& first,
+                                         const std::vector<Bundle>& bundles) {
+    std::vector<CameraCandidate> candidates;
+    for (const CalibrationModel model : models_) {
+      candidates.push_back(
+          model == first.model ? first : Adjust(model, Camera(first.prior.given), bundles));
+    }
+    return candidates;
+  }
+
+  const std::vector<StreamOpener>& sequences_;
+  const std::vector<CalibrationModel>& models_;
+  const SelfCalibrationOptions& options_;
+  Progress& progress_;
+};
+
+}  // namespace
+
+std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequences,
+                                           const SelfCalibrationOptions& options,
+                                           const CalibrationProgress& callback) {
+  Progress progress(callback);
+  CameraStart start = SearchStart(sequences, options, progress);
+  if (progress.is_cancelled()) return std::nullopt;
+  return start;
+}
+
+std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
+                                      const SelfCalibrationOptions& options,
+                                      const CalibrationProgress& callback) {
+  Progress progress(callback);
+  CameraStart start = SearchStart({sequence}, options, progress);
+  if (progress.is_cancelled()) return std::nullopt;
+  Odometry odometry(start.prior, options.odometry, options.threads);
+  ProcessStream(*sequence(), options.max_first_pass_images, {Stage::kTracking, 1, 0, {}, {}},
+                progress, odometry);
+  if (progress.is_cancelled()) return std::nullopt;
+  start.prior.given = odometry.camera().parameters();
+  return start;
+}
+
+CameraCalibration CalibrateCamera(const std::vector<StreamOpener>& sequences,
+                                  const std::vector<CalibrationModel>& models,
+                                  const SelfCalibrationOptions& options,
+                                  const CalibrationProgress& callback) {
+  if (models.empty()) throw Error("calibration: no model is given; allowed is one or more");
+  Progress progress(callback);
+  CameraCalibration calibration;
+  calibration.start = SearchStart(sequences, options, progress);
+  if (!progress.is_cancelled()) {
+    calibration.candidates =
+        Calibrator(sequences, models, options, progress).Run(calibration.start.prior);
+  }
+  calibration.is_cancelled = progress.is_cancelled();
+  calibration.selected = SelectCandidate(calibration.candidates);
+  return calibration;
+}
+
+std::vector<FreeParameter> EstimatedSigmas(const CameraCandidate& candidate) {
+  return Posterior(candidate.prior.free, candidate.adjustment.estimate.covariance);
+}
+
+}  // namespace corvo
