@@ -226,8 +226,8 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
     const std::size_t start = buffers->starts[i];
     const std::size_t count = buffers->quotas[i];
     extractors[i].Describe(levels[i], i, options_, describer_,
-                           std::span(features.keypoints).subspan(start, count),
-                           std::span(features.descriptors).subspan(start, count));
+                           {std::span(features.keypoints).subspan(start, count),
+                            std::span(features.descriptors).subspan(start, count)});
   });
   if (patches != nullptr) CutPatches(levels, features.keypoints, *patches);
   buffers->pyramid.ReleaseInput();

@@ -75,15 +75,14 @@ int KeypointIndex::ColumnOf(double x) const {
 
 int KeypointIndex::RowOf(double y) const { return CellAt((y - top_) * cells_per_px_, rows_); }
 
-void KeypointIndex::Find(float x, float y, float radius, int min_octave, int max_octave,
-                         std::vector<int>& found) const {
+void KeypointIndex::Find(const SearchWindow& window, std::vector<int>& found) const {
   const auto first_found = static_cast<std::ptrdiff_t>(found.size());
-  FindUnordered(x, y, radius, min_octave, max_octave, found);
+  FindUnordered(window, found);
   std::sort(found.begin() + first_found, found.end());
 }
 
-void KeypointIndex::FindUnordered(float x, float y, float radius, int min_octave, int max_octave,
-                                  std::vector<int>& found) const {
+void KeypointIndex::FindUnordered(const SearchWindow& window, std::vector<int>& found) const {
+  const auto& [x, y, radius, min_octave, max_octave] = window;
   if (size() == 0 || !(radius >= 0) || !std::isfinite(x) || !std::isfinite(y)) return;
   const kernels::OctaveDisc disc = {x, y, radius, min_octave, max_octave};
   const kernels::CellRange cells = {ColumnOf(disc.x - disc.radius), ColumnOf(disc.x + disc.radius),

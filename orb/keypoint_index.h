@@ -9,6 +9,15 @@
 
 namespace corvo::orb {
 
+/// Where to look for keypoints: a disc in an image and a range of octaves.
+struct SearchWindow {
+  float x = 0;
+  float y = 0;
+  float radius = 0;  ///< px
+  int min_octave = 0;
+  int max_octave = 0;
+};
+
 /// Finds the keypoints near a pixel, by cells of a grid over their bounding box. Copies what it
 /// needs of the keypoints.
 class KeypointIndex {
@@ -18,14 +27,12 @@ class KeypointIndex {
   /// where keypoints lie far apart). Throws corvo::Error otherwise.
   explicit KeypointIndex(std::span<const Keypoint> keypoints, float cell_size_px = 24);
 
-  /// Appends to `found` the indices of keypoints within `radius` px of (x, y) (Euclidean) whose
-  /// octave is in [min_octave, max_octave], in ascending order.
-  void Find(float x, float y, float radius, int min_octave, int max_octave,
-            std::vector<int>& found) const;
+  /// Appends to `found` the indices of keypoints within the window (Euclidean distance, inclusive
+  /// range of octaves), in ascending order.
+  void Find(const SearchWindow& window, std::vector<int>& found) const;
 
   /// As Find, but in any order.
-  void FindUnordered(float x, float y, float radius, int min_octave, int max_octave,
-                     std::vector<int>& found) const;
+  void FindUnordered(const SearchWindow& window, std::vector<int>& found) const;
 
   /// Number of keypoints.
   int size() const { return cell_starts_.empty() ? 0 : cell_starts_.back(); }

@@ -68,8 +68,8 @@ void LevelExtractor::Orient(const cv::Mat& image) {
 
 void LevelExtractor::Describe(const PyramidLevel& level, int octave,
                               const ExtractorOptions& options, const Describer& describer,
-                              std::span<Keypoint> keypoints, std::span<Descriptor> descriptors) {
-  const int quota = static_cast<int>(keypoints.size());
+                              FeatureSpan features) {
+  const int quota = static_cast<int>(features.keypoints.size());
   if (options.grid) {
     selector_.Select(corners_, InsideBorder(level.image), options.cell_size_px, quota, chosen_);
   } else {
@@ -79,8 +79,8 @@ void LevelExtractor::Describe(const PyramidLevel& level, int octave,
   sums_.Start(level.image);
   for (int i = 0; i < quota; ++i) {
     const Corner& corner = corners_[chosen_[i]];
-    keypoints[i] = MakeKeypoint(level, octave, corner, angles_deg_[i], options.ranking);
-    descriptors[i] =
+    features.keypoints[i] = MakeKeypoint(level, octave, corner, angles_deg_[i], options.ranking);
+    features.descriptors[i] =
         describer.Describe(sums_.Row(corner.y) + corner.x, sums_.stride(), angles_deg_[i]);
   }
 }

@@ -19,6 +19,12 @@ namespace corvo::orb {
 /// Where a level may have keypoints.
 cv::Rect InsideBorder(const cv::Mat& level_image);
 
+/// Room for features: as many keypoints as descriptors.
+struct FeatureSpan {
+  std::span<Keypoint> keypoints;
+  std::span<Descriptor> descriptors;
+};
+
 /// The features of one level of one image after another; keeps its buffers.
 class LevelExtractor {
  public:
@@ -30,8 +36,7 @@ class LevelExtractor {
   /// Selects as many corners as there is room for, no more than num_corners(), and sets their
   /// keypoints and descriptors, in row-major order. `level` is the one they were found in.
   void Describe(const PyramidLevel& level, int octave, const ExtractorOptions& options,
-                const Describer& describer, std::span<Keypoint> keypoints,
-                std::span<Descriptor> descriptors);
+                const Describer& describer, FeatureSpan features);
 
  private:
   /// Chooses the corners of highest rank wherever they are. Of Harris responses only those of the

@@ -49,8 +49,7 @@ std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
                                  std::span<const Descriptor> train) {
   std::vector<Nearest> nearest(queries.size());
   const auto scratch = std::make_unique_for_overwrite<kernels::NearestTwoScratch>();
-  kernels::FindNearestTwo(queries.data(), static_cast<int>(queries.size()), train.data(),
-                          static_cast<int>(train.size()), *scratch, nearest.data());
+  kernels::FindNearestTwo(queries, train, *scratch, nearest.data());
   return nearest;
 }
 
@@ -69,10 +68,8 @@ std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,
   std::vector<Nearest> nearest(queries.size());
   std::vector<int> candidates;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    const SearchWindow& window = windows[i];
     candidates.clear();
-    train_index.FindUnordered(window.x, window.y, window.radius, window.min_octave,
-                              window.max_octave, candidates);
+    train_index.FindUnordered(windows[i], candidates);
     nearest[i] = FindNearestAmong(queries[i], train, candidates);
   }
   return nearest;

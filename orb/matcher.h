@@ -27,15 +27,6 @@ std::vector<Nearest> FindNearest(std::span<const Descriptor> queries,
 Nearest FindNearestAmong(const Descriptor& query, std::span<const Descriptor> train,
                          std::span<const int> candidates);
 
-/// Where to look for a query: a disc in the train image and a range of octaves.
-struct SearchWindow {
-  float x = 0;
-  float y = 0;
-  float radius = 0;  ///< px
-  int min_octave = 0;
-  int max_octave = 0;
-};
-
 /// As FindNearest, but query i sees only the train keypoints inside windows[i]. `train_index` is of
 /// the keypoints that `train` describes. Throws corvo::Error where the sizes do not fit.
 std::vector<Nearest> FindNearestInWindows(std::span<const Descriptor> queries,

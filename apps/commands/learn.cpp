@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
@@ -86,14 +87,14 @@ class LearningReport {
   std::string stage_;
 };
 
-/// Samples images [begin, end) in parallel, each in its view of this round.
-std::vector<TrainingPairs> SampleImages(const std::vector<fs::path>& images, int begin, int end,
-                                        int round, const TrainingPairSampler& sampler,
-                                        orb::Workers& workers) {
-  std::vector<TrainingPairs> pairs(end - begin);
-  workers.ForEach(end - begin, [&](int i) {
-    const cv::Mat image = ReadGrayImage(images[begin + i]);
-    pairs[i] = sampler.Sample(image, synthetic::Hash(0, round, begin + i));
+/// Samples a batch of images in parallel, each in its own view of this round. `first` is the index
+/// of the batch's first image among all.
+std::vector<TrainingPairs> SampleImages(std::span<const fs::path> batch, int first, int round,
+                                        const TrainingPairSampler& sampler, orb::Workers& workers) {
+  std::vector<TrainingPairs> pairs(batch.size());
+  workers.ForEach(static_cast<int>(batch.size()), [&](int i) {
+    const cv::Mat image = ReadGrayImage(batch[i]);
+    pairs[i] = sampler.Sample(image, synthetic::Hash(0, round, first + i));
   });
   return pairs;
 }
@@ -112,9 +113,8 @@ orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
   const int num_images = static_cast<int>(images.size());
   for (int round = 0; round < kMaxRounds; ++round) {
     for (int begin = 0; begin < num_images && !training.is_full(); begin += kBatch) {
-      const int end = std::min(begin + kBatch, num_images);
-      for (const auto& [first, second] :
-           SampleImages(images, begin, end, round, sampler, workers)) {
+      const auto batch = std::span(images).subspan(begin, std::min(kBatch, num_images - begin));
+      for (const auto& [first, second] : SampleImages(batch, begin, round, sampler, workers)) {
         training.Add(first, second);
       }
       report.ShowSampling(round, training.size(), arguments.num_keypoints);

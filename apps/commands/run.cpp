@@ -113,28 +113,36 @@ int RunUnlessInterrupted(const RunArguments& arguments) {
   }
 }
 
+void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
+  command.add_option("-o,--output", arguments.output, "folder for the results")->required();
+  command.add_option("--draw", arguments.drawings,
+                     "folder for a drawing of every frame with its tracked features");
+  command
+      .add_option("--meters-per-unit", arguments.meters_per_unit,
+                  "scale of the written trajectories and map (default: the run's own unit)")
+      ->check(CLI::Range(1e-12, 1e12));
+  AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
+}
+
+void AddTruthOptions(CLI::App& command, RunArguments& arguments) {
+  command.add_option("--gt", arguments.truth,
+                     "ground truth in TUM, KITTI or EuRoC format (default: that of the dataset's "
+                     "layout, if it is there), or 'none'");
+  command
+      .add_option("--max-dt", arguments.max_dt_s,
+                  "seconds between poses that are compared (default: half a frame)")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
 }  // namespace
 
 void AddRunCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Run visual odometry on an image sequence");
   const auto arguments = std::make_shared<RunArguments>();
   AddInputOptions(*command, *arguments);
-  command->add_option("-o,--output", arguments->output, "folder for the results")->required();
+  AddOutputOptions(*command, *arguments);
+  AddTruthOptions(*command, *arguments);
   command->add_option("--config", arguments->config, "options; see 'corvo config'");
-  command->add_option("--gt", arguments->truth,
-                      "ground truth in TUM, KITTI or EuRoC format (default: that of the dataset's "
-                      "layout, if it is there), or 'none'");
-  command
-      ->add_option("--max-dt", arguments->max_dt_s,
-                   "seconds between poses that are compared (default: half a frame)")
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--draw", arguments->drawings,
-                      "folder for a drawing of every frame with its tracked features");
-  command
-      ->add_option("--meters-per-unit", arguments->meters_per_unit,
-                   "scale of the written trajectories and map (default: the run's own unit)")
-      ->check(CLI::Range(1e-12, 1e12));
-  AddFormerOption(*command, "--metres-per-unit", "is now --meters-per-unit");
   command->add_flag("--refine", arguments->refine,
                     "after the last image adjust the whole sequence, and write the trajectory that "
                     "comes of it");

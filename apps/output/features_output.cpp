@@ -37,13 +37,14 @@ std::vector<cv::KeyPoint> PointsOf(const orb::Features& features) {
   return points;
 }
 
-/// Draws over `image` the matches of which is_inlier is `wanted`.
-void DrawLines(const cv::Mat& first, const cv::Mat& second, const ImageMatches& pair, bool wanted,
-               const cv::Scalar& color, cv::Mat& image) {
+/// Draws over `image` the matches that are inliers, or those that are not.
+void DrawLines(const cv::Mat& first, const cv::Mat& second, const ImageMatches& pair, bool inliers,
+               cv::Mat& image) {
+  const cv::Scalar color = inliers ? cv::Scalar(0, 220, 0) : cv::Scalar(0, 0, 255);
   std::vector<cv::DMatch> lines;
   for (std::size_t i = 0; i < pair.matches.size(); ++i) {
     const orb::Match& match = pair.matches[i];
-    if ((pair.is_inlier[i] != 0) != wanted) continue;
+    if ((pair.is_inlier[i] != 0) != inliers) continue;
     lines.emplace_back(match.query, match.train, static_cast<float>(match.distance));
   }
   cv::DrawMatchesFlags flags = cv::DrawMatchesFlags::NOT_DRAW_SINGLE_POINTS;
@@ -92,8 +93,8 @@ cv::Mat DrawFeatures(const cv::Mat& image, const orb::Features& features,
 
 cv::Mat DrawMatches(const cv::Mat& first, const cv::Mat& second, const ImageMatches& pair) {
   cv::Mat drawing;
-  DrawLines(first, second, pair, false, cv::Scalar(0, 0, 255), drawing);
-  DrawLines(first, second, pair, true, cv::Scalar(0, 220, 0), drawing);
+  DrawLines(first, second, pair, false, drawing);
+  DrawLines(first, second, pair, true, drawing);
   return drawing;
 }
 

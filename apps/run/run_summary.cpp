@@ -111,6 +111,42 @@ std::optional<ErrorStatistics> EvaluateRotations(const PoseSequence& rotations,
   return errors.count > 0 ? std::optional(errors) : std::nullopt;
 }
 
+void CountFrames(const Trajectory& trajectory, RunSummary& summary) {
+  summary.num_frames = static_cast<int>(trajectory.frames.size());
+  summary.num_posed = CountPosedFrames(trajectory);
+  summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
+  summary.num_segments = CountPosedSegments(trajectory);
+  summary.reasons = CountReasons(trajectory);
+  for (const FrameResult& frame : trajectory.frames) {
+    ++summary.states[frame.state];
+    ++summary.window_adjustments[frame.window_adjustment];
+    ++summary.camera_adjustments[frame.camera_adjustment];
+  }
+  summary.window_adjustments.erase(AdjustmentStatus::kNone);
+  summary.camera_adjustments.erase(AdjustmentStatus::kNone);
+}
+
+Json ToJson(const MatchResiduals& residuals) {
+  return {{"matches", residuals.num_matches},
+          {"median_px", residuals.median_px},
+          {"implausible_calibration", IsImplausible(residuals)}};
+}
+
+void AddCountsJson(const RunSummary& summary, Json& json) {
+  json["frames"] = summary.num_frames;
+  json["posed"] = summary.num_posed;
+  json["posed_share"] = Share(summary.num_posed, summary.num_frames);
+  json["rotations"] = summary.num_rotations;
+  json["segments"] = summary.num_segments;
+  json["keyframes"] = summary.num_keyframes;
+  json["landmarks"] = summary.num_landmarks;
+  if (summary.residuals) json["residuals"] = ToJson(*summary.residuals);
+  json["states"] = CountsJson(summary.states);
+  json["reasons"] = CountsJson(summary.reasons);
+  json["adjustments"] = {{"window", CountsJson(summary.window_adjustments)},
+                         {"camera", CountsJson(summary.camera_adjustments)}};
+}
+
 }  // namespace
 
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
@@ -119,20 +155,9 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   const Map& map = record.odometry.map();
   RunSummary summary;
   summary.outcome = JudgeOutcome(trajectory);
-  summary.num_frames = static_cast<int>(trajectory.frames.size());
-  summary.num_posed = CountPosedFrames(trajectory);
-  summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
-  summary.num_segments = CountPosedSegments(trajectory);
+  CountFrames(trajectory, summary);
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
-  for (const FrameResult& frame : trajectory.frames) {
-    ++summary.states[frame.state];
-    ++summary.window_adjustments[frame.window_adjustment];
-    ++summary.camera_adjustments[frame.camera_adjustment];
-  }
-  summary.window_adjustments.erase(AdjustmentStatus::kNone);
-  summary.camera_adjustments.erase(AdjustmentStatus::kNone);
-  summary.reasons = CountReasons(trajectory);
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = MeasureAndWarn(record.odometry);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
@@ -159,22 +184,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["camera"] = CameraJson(inputs.camera.given);
   json["calibration"] = ToJson(summary.calibration);
   if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
-  json["frames"] = summary.num_frames;
-  json["posed"] = summary.num_posed;
-  json["posed_share"] = Share(summary.num_posed, summary.num_frames);
-  json["rotations"] = summary.num_rotations;
-  json["segments"] = summary.num_segments;
-  json["keyframes"] = summary.num_keyframes;
-  json["landmarks"] = summary.num_landmarks;
-  if (summary.residuals) {
-    json["residuals"] = {{"matches", summary.residuals->num_matches},
-                         {"median_px", summary.residuals->median_px},
-                         {"implausible_calibration", IsImplausible(*summary.residuals)}};
-  }
-  json["states"] = CountsJson(summary.states);
-  json["reasons"] = CountsJson(summary.reasons);
-  json["adjustments"] = {{"window", CountsJson(summary.window_adjustments)},
-                         {"camera", CountsJson(summary.camera_adjustments)}};
+  AddCountsJson(summary, json);
   json["trajectory_kitti"] =
       summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
   if (arguments.meters_per_unit) json["meters_per_unit"] = *arguments.meters_per_unit;

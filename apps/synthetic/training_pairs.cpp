@@ -75,8 +75,9 @@ KeypointPairs FindAgain(std::span<const orb::Keypoint> first, std::span<const or
     if (octaves.max < octaves.min) continue;
     candidates.clear();
     const double radius = 2 * octave_scales[octaves.max];
-    index.Find(static_cast<float>(predicted.pixel.x), static_cast<float>(predicted.pixel.y),
-               static_cast<float>(radius), octaves.min, octaves.max, candidates);
+    index.Find({static_cast<float>(predicted.pixel.x), static_cast<float>(predicted.pixel.y),
+                static_cast<float>(radius), octaves.min, octaves.max},
+               candidates);
     const auto again = NearestOf(candidates, predicted.pixel, second, octave_scales);
     if (!again) continue;
     pairs.first.push_back(keypoint);

@@ -91,8 +91,9 @@ void UpdateFromKeys(const std::uint16_t* keys, int first_index, Nearest& nearest
 }
 
 /// Takes the chunk of `count` descriptors in `scratch` into account.
-void SearchChunk(const Descriptor* queries, int num_queries, int first_index, int count,
+void SearchChunk(std::span<const Descriptor> queries, int first_index, int count,
                  NearestTwoScratch& scratch, Nearest* nearest) {
+  const int num_queries = static_cast<int>(queries.size());
   auto* const pairs = reinterpret_cast<QueryPair*>(scratch.queries);
   for (int q = 0; q < num_queries; q += 2) {
     pairs[q / 2] = PackQueries(queries[q], queries[std::min(q + 1, num_queries - 1)]);
@@ -112,15 +113,17 @@ void SearchChunk(const Descriptor* queries, int num_queries, int first_index, in
   }
 }
 
-void FindNearestTwo(const Descriptor* queries, int num_queries, const Descriptor* train,
-                    int num_train, NearestTwoScratch& scratch, Nearest* nearest) {
+void FindNearestTwo(std::span<const Descriptor> queries, std::span<const Descriptor> train,
+                    NearestTwoScratch& scratch, Nearest* nearest) {
   constexpr int kChunk = NearestTwoScratch::kChunk;
-  constexpr int kGroup = NearestTwoScratch::kGroup;
+  constexpr std::size_t kGroup = NearestTwoScratch::kGroup;
+  const int num_train = static_cast<int>(train.size());
   for (int j = 0; j < num_train; j += kChunk) {
     const int count = std::min(kChunk, num_train - j);
-    PackChunk(train + j, count, scratch);
-    for (int i = 0; i < num_queries; i += kGroup) {
-      SearchChunk(queries + i, std::min(kGroup, num_queries - i), j, count, scratch, nearest + i);
+    PackChunk(train.data() + j, count, scratch);
+    for (std::size_t i = 0; i < queries.size(); i += kGroup) {
+      const auto group = queries.subspan(i, std::min(kGroup, queries.size() - i));
+      SearchChunk(group, j, count, scratch, nearest + i);
     }
   }
 }
@@ -134,18 +137,18 @@ namespace corvo::orb::kernels {
 
 HWY_EXPORT(FindNearestTwo);
 
-void FindNearestTwo(const Descriptor* queries, int num_queries, const Descriptor* train,
-                    int num_train, NearestTwoScratch& scratch, Nearest* nearest) {
-  HWY_DYNAMIC_DISPATCH(FindNearestTwo)(queries, num_queries, train, num_train, scratch, nearest);
+void FindNearestTwo(std::span<const Descriptor> queries, std::span<const Descriptor> train,
+                    NearestTwoScratch& scratch, Nearest* nearest) {
+  HWY_DYNAMIC_DISPATCH(FindNearestTwo)(queries, train, scratch, nearest);
 }
 
 namespace scalar {
 
-void FindNearestTwo(const Descriptor* queries, int num_queries, const Descriptor* train,
-                    int num_train, NearestTwoScratch& /*scratch*/, Nearest* nearest) {
-  for (int i = 0; i < num_queries; ++i) {
-    for (int j = 0; j < num_train; ++j) {
-      Update(nearest[i], j, HammingDistance(queries[i], train[j]));
+void FindNearestTwo(std::span<const Descriptor> queries, std::span<const Descriptor> train,
+                    NearestTwoScratch& /*scratch*/, Nearest* nearest) {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    for (std::size_t j = 0; j < train.size(); ++j) {
+      Update(nearest[i], static_cast<int>(j), HammingDistance(queries[i], train[j]));
     }
   }
 }

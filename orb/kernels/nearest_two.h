@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "orb/nearest.h"
 #include "orb/types.h"
@@ -18,14 +19,14 @@ struct NearestTwoScratch {
   alignas(64) std::uint16_t nearest[kGroup * 256];
 };
 
-/// Takes train descriptors 0 to num_train - 1 into account in nearest[i] of every query i, as
-/// Update() does with one candidate.
-void FindNearestTwo(const Descriptor* queries, int num_queries, const Descriptor* train,
-                    int num_train, NearestTwoScratch& scratch, Nearest* nearest);
+/// Takes all train descriptors into account in nearest[i] of every query i, as Update() does with
+/// one candidate.
+void FindNearestTwo(std::span<const Descriptor> queries, std::span<const Descriptor> train,
+                    NearestTwoScratch& scratch, Nearest* nearest);
 
 namespace scalar {
-void FindNearestTwo(const Descriptor* queries, int num_queries, const Descriptor* train,
-                    int num_train, NearestTwoScratch& scratch, Nearest* nearest);
+void FindNearestTwo(std::span<const Descriptor> queries, std::span<const Descriptor> train,
+                    NearestTwoScratch& scratch, Nearest* nearest);
 }  // namespace scalar
 
 }  // namespace corvo::orb::kernels

@@ -42,7 +42,7 @@ std::vector<int> NaiveFind(const std::vector<Keypoint>& keypoints, float x, floa
 std::vector<int> Find(const KeypointIndex& index, float x, float y, float radius,
                       int min_octave = 0, int max_octave = 7) {
   std::vector<int> found;
-  index.Find(x, y, radius, min_octave, max_octave, found);
+  index.Find({x, y, radius, min_octave, max_octave}, found);
   return found;
 }
 
@@ -80,14 +80,14 @@ TEST(KeypointIndexTest, OctavesAreInclusive) {
 TEST(KeypointIndexTest, AppendsInAscendingOrder) {
   const std::vector<Keypoint> keypoints = {{.x = 90}, {.x = 0}, {.x = 45}};
   std::vector<int> found = {7};
-  KeypointIndex(keypoints).Find(45, 0, 60, 0, 0, found);
+  KeypointIndex(keypoints).Find({45, 0, 60, 0, 0}, found);
   EXPECT_THAT(found, ElementsAre(7, 0, 1, 2));
 }
 
 TEST(KeypointIndexTest, UnorderedIsTheSameInAnyOrder) {
   const KeypointIndex index(RandomKeypoints(800, 0, 700, 4));
   std::vector<int> found = {900};
-  index.FindUnordered(300, 300, 200, 2, 5, found);
+  index.FindUnordered({300, 300, 200, 2, 5}, found);
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found.back(), 900);
   found.pop_back();

@@ -112,7 +112,7 @@ TEST(FindNearestInWindowsTest, SeesOnlyWhatLiesInTheWindow) {
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const SearchWindow& window = windows[i];
     std::vector<int> inside;
-    index.Find(window.x, window.y, window.radius, window.min_octave, window.max_octave, inside);
+    index.Find(window, inside);
     EXPECT_EQ(nearest[i], NaiveNearest(queries[i], train, inside));
   }
 }

@@ -62,35 +62,49 @@ Eigen::Vector2d DifferentiableCamera::PixelByParameter(const Derivative& derivat
                                                        const Eigen::Vector3d& in_camera,
                                                        const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d from_center = pixel - Eigen::Vector2d(camera_.cx(), camera_.cy());
-  const Eigen::Vector2d focal(camera_.fx(), camera_.fy());
-  const Eigen::Vector2d normalized = in_camera.hnormalized();
-  const double s = normalized.squaredNorm();
   switch (derivative.effect) {
     case Effect::kFocal:
       return from_center;
     case Effect::kFx:
-      return {from_center.x() / focal.x(), 0};
+      return {from_center.x() / camera_.fx(), 0};
     case Effect::kFy:
-      return {0, from_center.y() / focal.y()};
+      return {0, from_center.y() / camera_.fy()};
     case Effect::kCx:
       return {1, 0};
     case Effect::kCy:
       return {0, 1};
-    case Effect::kK1:
-      return s * focal.cwiseProduct(normalized);
-    case Effect::kK2:
-      return s * s * focal.cwiseProduct(normalized);
-    case Effect::kK3:
-      return s * s * s * focal.cwiseProduct(normalized);
-    case Effect::kP1:
-      return focal.cwiseProduct(TangentialEffect(normalized, 1));
-    case Effect::kP2:
-      return focal.cwiseProduct(TangentialEffect(normalized, 0));
     case Effect::kByDifference:
+      return derivative.DifferenceQuotient(in_camera, pixel);
+    default:
       break;
   }
-  const auto low = derivative.below ? derivative.below->Project(in_camera) : std::nullopt;
-  const auto high = derivative.above ? derivative.above->Project(in_camera) : std::nullopt;
+  return Eigen::Vector2d(camera_.fx(), camera_.fy())
+      .cwiseProduct(DistortedByParameter(derivative.effect, in_camera.hnormalized()));
+}
+
+Eigen::Vector2d DifferentiableCamera::DistortedByParameter(Effect effect,
+                                                           const Eigen::Vector2d& normalized) {
+  const double s = normalized.squaredNorm();
+  switch (effect) {
+    case Effect::kK1:
+      return s * normalized;
+    case Effect::kK2:
+      return s * s * normalized;
+    case Effect::kK3:
+      return s * s * s * normalized;
+    case Effect::kP1:
+      return TangentialEffect(normalized, 1);
+    case Effect::kP2:
+      return TangentialEffect(normalized, 0);
+    default:
+      return Eigen::Vector2d::Zero();
+  }
+}
+
+Eigen::Vector2d DifferentiableCamera::Derivative::DifferenceQuotient(
+    const Eigen::Vector3d& in_camera, const Eigen::Vector2d& pixel) const {
+  const auto low = below ? below->Project(in_camera) : std::nullopt;
+  const auto high = above ? above->Project(in_camera) : std::nullopt;
   const int num_steps = (low ? 1 : 0) + (high ? 1 : 0);
   return (high.value_or(pixel) - low.value_or(pixel)) / (kStep * std::max(1, num_steps));
 }

@@ -38,8 +38,13 @@ class DifferentiableCamera {
   struct Derivative {
     Effect effect;
     std::optional<Camera> below, above;  // By difference; none at the end of the range.
+
+    Eigen::Vector2d DifferenceQuotient(const Eigen::Vector3d& in_camera,
+                                       const Eigen::Vector2d& pixel) const;
   };
 
+  /// d (x_d, y_d) / d parameter of a pinhole's distortion, at (x/z, y/z).
+  static Eigen::Vector2d DistortedByParameter(Effect effect, const Eigen::Vector2d& normalized);
   static Effect EffectOf(const std::string& name, CameraModel model);
   Eigen::Vector2d PixelByParameter(const Derivative& derivative, const Eigen::Vector3d& in_camera,
                                    const Eigen::Vector2d& pixel) const;

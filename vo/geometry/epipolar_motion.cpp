@@ -21,10 +21,15 @@ EpipolarMotion Plus(const EpipolarMotion& motion, const Eigen::Matrix<double, 5,
           (motion.baseline + TangentBasis(motion.baseline) * step.tail<2>()).normalized()};
 }
 
-/// Adds the squared Sampson distance e² = (s · (b × Rf))² / n² of one match, n² the squared norms
-/// of its two epipolar lines' normals, in units of its sigma, under Cauchy's loss log(1 + e²).
-void Accumulate(const RayMatch& match, const EpipolarMotion& motion,
-                const Eigen::Matrix<double, 3, 2>& basis, NormalEquations<5>& equations) {
+/// The Sampson distance of a match, (s · (b × Rf)) / n in units of the match's sigma, with n² the
+/// sum of the squared norms of its two epipolar lines' normals, and its derivative by a step.
+struct SampsonDistance {
+  double value;
+  Eigen::Matrix<double, 5, 1> by_step;
+};
+
+SampsonDistance ComputeDistance(const RayMatch& match, const EpipolarMotion& motion,
+                                const Eigen::Matrix<double, 3, 2>& basis) {
   constexpr double kNoBaseline = 1e-12;  // A ray along the baseline has no lines.
   const SO3& rotation = motion.second_from_first;
   const Eigen::Vector3d& baseline = motion.baseline;
@@ -37,22 +42,25 @@ void Accumulate(const RayMatch& match, const EpipolarMotion& motion,
   in_second.z() = 0;
   in_first.z() = 0;
   const double norm = std::sqrt(in_second.squaredNorm() + in_first.squaredNorm() + kNoBaseline);
-  const double error = product / (norm * match.sigma);
   const Eigen::Vector3d turned = rotation * in_first;
-  const Eigen::Vector3d product_by_rotation = first.cross(plane);
-  const Eigen::Vector3d product_by_baseline = first.cross(second);
   const Eigen::Vector3d norm_by_rotation =
       (first.cross(in_second.cross(baseline)) + turned.cross(plane)) / norm;
   const Eigen::Vector3d norm_by_baseline = (first.cross(in_second) + turned.cross(second)) / norm;
   const double ratio = product / norm;
-  Eigen::Matrix<double, 5, 1> by_step;
-  by_step << product_by_rotation - ratio * norm_by_rotation,
-      basis.transpose() * (product_by_baseline - ratio * norm_by_baseline);
-  by_step /= norm * match.sigma;
-  const double weight = 1 / (1 + error * error);
-  equations.cost += std::log1p(error * error);
-  equations.hessian += weight * by_step * by_step.transpose();
-  equations.gradient += weight * error * by_step;
+  SampsonDistance distance{product / (norm * match.sigma), {}};
+  distance.by_step << first.cross(plane) - ratio * norm_by_rotation,
+      basis.transpose() * (first.cross(second) - ratio * norm_by_baseline);
+  distance.by_step /= norm * match.sigma;
+  return distance;
+}
+
+/// Adds a distance e under Cauchy's loss log(1 + e²).
+void Accumulate(const SampsonDistance& distance, NormalEquations<5>& equations) {
+  const double squared = distance.value * distance.value;
+  const double weight = 1 / (1 + squared);
+  equations.cost += std::log1p(squared);
+  equations.hessian += weight * distance.by_step * distance.by_step.transpose();
+  equations.gradient += weight * distance.value * distance.by_step;
 }
 
 }  // namespace
@@ -65,7 +73,9 @@ Minimum<EpipolarMotion> FitEpipolarMotion(const std::vector<RayMatch>& matches,
   const auto build = [&](const EpipolarMotion& motion) {
     NormalEquations<5> equations;
     const Eigen::Matrix<double, 3, 2> basis = TangentBasis(motion.baseline);
-    for (const RayMatch& match : matches) Accumulate(match, motion, basis, equations);
+    for (const RayMatch& match : matches) {
+      Accumulate(ComputeDistance(match, motion, basis), equations);
+    }
     const Eigen::Vector3d apart = (motion.second_from_first * from_expected).Log();
     equations.cost += information * apart.squaredNorm();
     equations.hessian.topLeftCorner<3, 3>().diagonal().array() += information;

@@ -42,15 +42,14 @@ ReprojectionCost::ReprojectionCost(const AdjustedCamera& camera, const Observati
 bool ReprojectionCost::Evaluate(const double* const* parameters, double* residuals,
                                 double** jacobians) const {
   if (camera_.camera() == nullptr) return false;
-  const Camera& camera = camera_.camera()->camera();
   const Eigen::Map<const Eigen::Quaterniond> quaternion(parameters[0]);
   const Eigen::Map<const Eigen::Vector3d> translation(parameters[0] + 4);
   const Eigen::Map<const Eigen::Vector3d> in_world(parameters[1]);
   const Eigen::Matrix3d camera_from_world = quaternion.toRotationMatrix().transpose();
   const Eigen::Vector3d in_camera = camera_from_world * (in_world - translation);
   Camera::Jacobian by_camera_point;
-  const std::optional<Eigen::Vector2d> projected =
-      camera.Project(in_camera, jacobians != nullptr ? &by_camera_point : nullptr);
+  const std::optional<Eigen::Vector2d> projected = camera_.camera()->camera().Project(
+      in_camera, jacobians != nullptr ? &by_camera_point : nullptr);
   if (!projected) {
     SetUnprojectable(residuals, jacobians);
     return true;
@@ -64,11 +63,15 @@ bool ReprojectionCost::Evaluate(const double* const* parameters, double* residua
         ComputePoseJacobian(by_camera_point, by_world_point, in_camera, quaternion);
   }
   if (jacobians[1] != nullptr) Eigen::Map<PointJacobian>{jacobians[1]} = by_world_point;
-  if (camera_.num_free() > 0 && jacobians[2] != nullptr) {
-    Eigen::Map<CameraJacobian>{jacobians[2], 2, camera_.num_free()} =
-        camera_.camera()->PixelByDifference(in_camera, *projected) / sigma_px_;
-  }
+  if (camera_.num_free() > 0) SetCameraJacobian(in_camera, *projected, jacobians[2]);
   return true;
+}
+
+void ReprojectionCost::SetCameraJacobian(const Eigen::Vector3d& in_camera,
+                                         const Eigen::Vector2d& projected, double* jacobian) const {
+  if (jacobian == nullptr) return;
+  Eigen::Map<CameraJacobian>{jacobian, 2, camera_.num_free()} =
+      camera_.camera()->PixelByDifference(in_camera, projected) / sigma_px_;
 }
 
 void ReprojectionCost::SetUnprojectable(double* residuals, double** jacobians) const {

@@ -27,6 +27,8 @@ class ReprojectionCost : public ceres::CostFunction {
                 double** jacobians) const override;
 
  private:
+  void SetCameraJacobian(const Eigen::Vector3d& in_camera, const Eigen::Vector2d& projected,
+                         double* jacobian) const;
   void SetUnprojectable(double* residuals, double** jacobians) const;
 
   const AdjustedCamera& camera_;

@@ -29,8 +29,7 @@ std::vector<Nearest> FindWith(const Search& search, const Descriptors& queries,
                               const Descriptors& train) {
   const auto scratch = std::make_unique<NearestTwoScratch>();
   std::vector<Nearest> nearest(queries.size());
-  search(queries.data(), static_cast<int>(queries.size()), train.data(),
-         static_cast<int>(train.size()), *scratch, nearest.data());
+  search(queries, train, *scratch, nearest.data());
   return nearest;
 }
 
@@ -113,10 +112,10 @@ TEST(FindNearestTwoTest, TheNearestMayStandAnywhere) {
 TEST(FindNearestTwoTest, AddsToWhatWasFoundBefore) {
   test::ForEveryInstructionSet([] {
     const Descriptors train = {FilledDescriptor(1), FilledDescriptor(3)};
-    const Descriptor query = FilledDescriptor(0);
+    const Descriptors queries = {FilledDescriptor(0)};
     const auto scratch = std::make_unique<NearestTwoScratch>();
     Nearest nearest = {7, 40, 50, 8};
-    FindNearestTwo(&query, 1, train.data(), 2, *scratch, &nearest);
+    FindNearestTwo(queries, train, *scratch, &nearest);
     EXPECT_EQ(nearest, (Nearest{0, 32, 40, 7}));
   });
 }
