@@ -11,26 +11,12 @@
 #include "vo/tracking/segment_start.h"
 
 namespace corvo {
-namespace {
-
-const OdometryOptions& Validated(const OdometryOptions& options) {
-  options.Validate();
-  return options;
-}
-
-/// After the last frame several adjustments may end: a failure stays in the account.
-void KeepWorse(AdjustmentStatus status, AdjustmentStatus& kept) {
-  const bool has_failed = kept != AdjustmentStatus::kNone && !IsUsable(kept);
-  if (status != AdjustmentStatus::kNone && !has_failed) kept = status;
-}
-
-}  // namespace
 
 Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int threads)
     : Odometry(MakePrior(camera.parameters(), options.calibration), options, threads) {}
 
 Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int threads)
-    : options_(Validated(options)),
+    : options_(options.Checked()),
       threads_(threads),
       extractor_(options.extractor, threads),
       map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
@@ -40,7 +26,7 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
       mapper_(prior, options) {}
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
-  CheckInput(image, time_ns);
+  CheckInput(image, time_ns);  // Misuse leaves everything as it was.
   clock_.Reset();
   Frame frame = ExtractFrame(image, time_ns, mask);
   // Adjustments that were started earlier are used from here on: at a fixed frame, not when ready.
@@ -69,10 +55,6 @@ void Odometry::Reset() {
   recorder_ = std::move(recorder);
 }
 
-void Odometry::VisitKeyframes(const ObservationCallback& visit) const {
-  for (const KeyframeId id : map_.ActiveKeyframes()) visit(ObservationsOf(map_.keyframe(id), map_));
-}
-
 MemoryUse Odometry::memory_use() const {
   return {map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_),
           map_.keyframe_bytes(), history_.num_bytes()};
@@ -84,14 +66,7 @@ const Frame& Odometry::last_frame() const {
 }
 
 void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
-  if (image.type() != CV_8UC1) {
-    throw Error(fmt::format("image has type {}; allowed is 8-bit with one channel (CV_8UC1)",
-                            cv::typeToString(image.type())));
-  }
-  if (image.cols != camera().width() || image.rows != camera().height()) {
-    throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
-                            camera().width(), camera().height()));
-  }
+  CheckImage(image, camera());
   if (history_.size() > 0 && time_ns <= last_frame().time_ns) {
     throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
                             history_.size(), time_ns, last_frame().time_ns));
@@ -105,19 +80,13 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
   extractor_.Extract(image, mask, features, patches);
   Frame frame =
       MakeFrame(history_.size(), time_ns, std::move(features), camera(), std::move(patches));
-  FrameOutcome outcome;
-  outcome.index = frame.index;
-  outcome.time_ns = time_ns;
-  outcome.num_features = frame.num_keypoints();
-  history_.Add(outcome);
+  history_.Add(frame);
   return frame;
 }
 
 void Odometry::ApplyUpdate(const MapUpdate& update) {
   if (!update.adjustments.any()) return;
-  FrameOutcome& outcome = history_.outcome(history_.size() - 1);
-  KeepWorse(update.adjustments.window, outcome.window_adjustment);
-  KeepWorse(update.adjustments.camera, outcome.camera_adjustment);
+  history_.AddAdjustments(update.adjustments);
   initializer_.SetCamera(camera());
   UpdateRays(camera(), previous_);
   for (const KeyframeId culled : update.culled) history_.RemoveKeyframe(culled, map_);
@@ -216,27 +185,19 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
 }
 
 void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
-  FrameOutcome& outcome = history_.outcome(frame.index);
-  outcome.state = State::kTracking;
-  outcome.reason = Reason::kNone;
-  outcome.segment = segment_;
-  outcome.num_matches = num_matches;
-  outcome.num_inliers = num_inliers;
   recorder_.RecordFrame(frame, segment_, map_);
-  if (!outcome.is_keyframe) {
-    history_.SetPose(frame.index, segment_, frame.world_from_camera, map_);
-  }
+  history_.SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
 }
 
 void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,
                              const InitializationResult& initialization) {
-  state_ = !map_.empty() ? State::kLost : State::kInitializing;
-  FrameOutcome& outcome = history_.outcome(frame);
+  state_ = map_.empty() ? State::kInitializing : State::kLost;
   const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
+  FrameOutcome& outcome = history_.outcome(frame);
   outcome.state = state_;
-  outcome.reason = !map_.empty() && !is_blank ? tracking.reason : initialization.reason;
-  outcome.num_matches = !map_.empty() ? tracking.num_matches : initialization.num_matches;
-  outcome.num_inliers = !map_.empty() ? tracking.num_inliers : initialization.num_inliers;
+  outcome.reason = map_.empty() || is_blank ? initialization.reason : tracking.reason;
+  outcome.num_matches = map_.empty() ? initialization.num_matches : tracking.num_matches;
+  outcome.num_inliers = map_.empty() ? initialization.num_inliers : tracking.num_inliers;
   outcome.parallax_deg = initialization.parallax_deg;
   if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
     history_.SetRotation(frame, frame, SO3());

@@ -77,9 +77,6 @@ class Odometry {
     recorder_.SetObservationCallback(std::move(sink));
   }
 
-  /// Calls `visit` with what every active keyframe observes.
-  void VisitKeyframes(const ObservationCallback& visit) const;
-
   MemoryUse memory_use() const;
 
   /// The frame processed last, with its tracks: keypoint k observes landmark `landmarks[k]` or, if

@@ -25,4 +25,14 @@ inline bool IsUsable(AdjustmentStatus status) {
   return status == AdjustmentStatus::kConverged || status == AdjustmentStatus::kIterationLimit;
 }
 
+/// How the adjustments ended whose results were used; kNone where none was due.
+struct UsedAdjustments {
+  AdjustmentStatus window = AdjustmentStatus::kNone;
+  AdjustmentStatus camera = AdjustmentStatus::kNone;
+
+  bool any() const {
+    return window != AdjustmentStatus::kNone || camera != AdjustmentStatus::kNone;
+  }
+};
+
 }  // namespace corvo

@@ -51,4 +51,9 @@ void OdometryOptions::Validate() const {
   });
 }
 
+OdometryOptions OdometryOptions::Checked() const {
+  Validate();
+  return *this;
+}
+
 }  // namespace corvo

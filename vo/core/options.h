@@ -390,6 +390,8 @@ struct OdometryOptions {
 
   /// Throws corvo::Error naming the first field out of range, as "<section>.<field>".
   void Validate() const;
+  /// The same options, validated.
+  OdometryOptions Checked() const;
 
   /// Calls `section(name, options)` for every part.
   template <typename Self, typename Visitor>

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "orb/error.h"
+
 namespace corvo {
 
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
@@ -33,6 +37,17 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   frame.landmarks.assign(frame.rays.size(), kNoId);
   frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
   return frame;
+}
+
+void CheckImage(const cv::Mat& image, const Camera& camera) {
+  if (image.type() != CV_8UC1) {
+    throw Error(fmt::format("image has type {}; allowed is 8-bit with one channel (CV_8UC1)",
+                            cv::typeToString(image.type())));
+  }
+  if (image.cols != camera.width() || image.rows != camera.height()) {
+    throw Error(fmt::format("image is {}x{}; the camera says {}x{}", image.cols, image.rows,
+                            camera.width(), camera.height()));
+  }
 }
 
 void UpdateRays(const Camera& camera, Frame& frame) {

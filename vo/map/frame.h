@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
 
 #include "orb/matcher.h"
 #include "orb/patch.h"
@@ -38,6 +39,9 @@ struct Frame {
 /// Keypoints without a ray through the camera (outside the domain of its distortion) are dropped.
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
+
+/// Throws corvo::Error unless an image is 8-bit gray and of the camera's size.
+void CheckImage(const cv::Mat& image, const Camera& camera);
 
 /// Makes a frame's rays those of this camera, if they are of another; a pixel that it sees by no
 /// ray keeps the old one.

@@ -10,7 +10,37 @@ SE3 Interpolate(const SE3& first, const SE3& second, double share) {
   return first * (first.Inverse() * second).Power(share);
 }
 
+/// Takes the status of a later adjustment, unless one before has failed.
+void Update(AdjustmentStatus status, AdjustmentStatus& noted) {
+  const bool has_failed = noted != AdjustmentStatus::kNone && !IsUsable(noted);
+  if (status != AdjustmentStatus::kNone && !has_failed) noted = status;
+}
+
 }  // namespace
+
+void FrameHistory::Add(const Frame& frame) {
+  FrameOutcome& outcome = records_.emplace_back().outcome;
+  outcome.index = frame.index;
+  outcome.time_ns = frame.time_ns;
+  outcome.num_features = frame.num_keypoints();
+}
+
+void FrameHistory::AddAdjustments(const UsedAdjustments& used) {
+  FrameOutcome& outcome = records_.back().outcome;
+  Update(used.window, outcome.window_adjustment);
+  Update(used.camera, outcome.camera_adjustment);
+}
+
+void FrameHistory::SetTracked(const Frame& frame, int segment, const MatchCounts& counts,
+                              const Map& map) {
+  FrameOutcome& outcome = records_[frame.index].outcome;
+  outcome.state = State::kTracking;
+  outcome.reason = Reason::kNone;
+  outcome.segment = segment;
+  outcome.num_matches = counts.num_matches;
+  outcome.num_inliers = counts.num_inliers;
+  if (!outcome.is_keyframe) SetPose(frame.index, segment, frame.world_from_camera, map);
+}
 
 void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map) {
   Record& record = records_[frame];

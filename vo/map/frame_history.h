@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "vo/core/adjustment_status.h"
 #include "vo/core/conventions.h"
 #include "vo/core/frame_result.h"
 #include "vo/core/trajectory.h"
@@ -14,6 +15,12 @@
 
 namespace corvo {
 
+/// Matches of a frame with landmarks, and those that agree with its pose.
+struct MatchCounts {
+  int num_matches = 0;
+  int num_inliers = 0;
+};
+
 /// The result of every input frame, in input order. A posed frame hangs on the keyframes of its
 /// segment before and after it: where these move against each other, it moves as they do, weighted
 /// by how near it is to either. With a keyframe on one side only it moves as that does. A frame of
@@ -21,9 +28,16 @@ namespace corvo {
 class FrameHistory {
  public:
   int size() const { return static_cast<int>(records_.size()); }
-  void Add(const FrameOutcome& outcome) { records_.emplace_back().outcome = outcome; }
+  /// A frame that was not located yet.
+  void Add(const Frame& frame);
 
   FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
+
+  /// Notes in the newest frame's account how adjustments ended. A failure stays noted when more
+  /// adjustments end after the last frame.
+  void AddAdjustments(const UsedAdjustments& used);
+  /// The frame was located in a segment that has a keyframe.
+  void SetTracked(const Frame& frame, int segment, const MatchCounts& counts, const Map& map);
 
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
   /// In a segment that has a keyframe.

@@ -11,16 +11,6 @@
 
 namespace corvo {
 
-/// How the adjustments ended whose results were used; kNone where none was due.
-struct UsedAdjustments {
-  AdjustmentStatus window = AdjustmentStatus::kNone;
-  AdjustmentStatus camera = AdjustmentStatus::kNone;
-
-  bool any() const {
-    return window != AdjustmentStatus::kNone || camera != AdjustmentStatus::kNone;
-  }
-};
-
 /// Adjusts a map on threads of its own, beside the frames that follow: the window of each new
 /// keyframe and, whenever the number of keyframes has grown by a factor, the newest keyframes and
 /// the camera with them. One of each at a time. Their results are used at fixed frames, however

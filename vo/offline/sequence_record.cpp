@@ -57,7 +57,8 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& l
     }
   };
   log.Visit(keep);
-  odometry.VisitKeyframes(keep);
+  const Map& map = odometry.map();
+  for (const KeyframeId id : map.ActiveKeyframes()) keep(ObservationsOf(map.keyframe(id), map));
   KeepLandmarks();
   const std::set<FrameKey> chosen = ChooseBetween(others);
   const Trajectory trajectory = odometry.GetTrajectory();

@@ -8,14 +8,14 @@
 namespace corvo {
 namespace {
 
-class FrameRecordsTest : public ::testing::Test {
+class FrameHistoryTest : public ::testing::Test {
  protected:
-  FrameRecordsTest() {
+  FrameHistoryTest() {
     for (int i = 0; i < 8; ++i) {
-      FrameOutcome outcome;
-      outcome.index = i;
-      outcome.state = State::kRotationOnly;
-      records_.Add(outcome);
+      Frame frame;
+      frame.index = i;
+      history_.Add(frame);
+      history_.outcome(i).state = State::kRotationOnly;
     }
     AddKeyframe(0, 0, pose_);
   }
@@ -25,12 +25,12 @@ class FrameRecordsTest : public ::testing::Test {
     keyframe.index = frame;
     keyframe.world_from_camera = world_from_camera;
     const KeyframeId id = map_.AddKeyframe(keyframe, segment);
-    records_.AddKeyframe(frame, id, map_);
+    history_.AddKeyframe(frame, id, map_);
     return id;
   }
 
   void ExpectPose(int frame, const SE3& world_from_camera) const {
-    EXPECT_THAT(records_.PoseOf(frame, map_), test::IsPoseNear(world_from_camera, 1e-9, 1e-9));
+    EXPECT_THAT(history_.PoseOf(frame, map_), test::IsPoseNear(world_from_camera, 1e-9, 1e-9));
   }
 
   /// Ahead of the first keyframe.
@@ -39,29 +39,29 @@ class FrameRecordsTest : public ::testing::Test {
   const SO3 turn_ = SO3::Exp({0.1, -0.2, 0.05});
   const SE3 pose_{SO3::Exp({0, 0.4, 0}), {1, 2, 3}};
   Map map_{test::MakeModel()};
-  FrameHistory records_;
+  FrameHistory history_;
 };
 
-TEST_F(FrameRecordsTest, NothingIsKnownOfANewFrame) {
-  const FrameResult result = records_.ResultOf(1, map_);
+TEST_F(FrameHistoryTest, NothingIsKnownOfANewFrame) {
+  const FrameResult result = history_.ResultOf(1, map_);
   EXPECT_FALSE(result.world_from_camera);
   EXPECT_FALSE(result.world_from_camera_rotation);
 }
 
-TEST_F(FrameRecordsTest, APoseMovesWithTheOnlyKeyframe) {
+TEST_F(FrameHistoryTest, APoseMovesWithTheOnlyKeyframe) {
   const SE3 keyframe_from_camera = SE3::Exp(SE3::Tangent::Constant(0.1));
-  records_.SetPose(1, 0, pose_ * keyframe_from_camera, map_);
+  history_.SetPose(1, 0, pose_ * keyframe_from_camera, map_);
   map_.SetPose(0, SE3());
-  const FrameResult result = records_.ResultOf(1, map_);
+  const FrameResult result = history_.ResultOf(1, map_);
   EXPECT_THAT(*result.world_from_camera, test::IsPoseNear(keyframe_from_camera, 1e-9, 1e-9));
   EXPECT_THAT(*result.world_from_camera_rotation,
               test::IsRotationNear(keyframe_from_camera.rotation(), 1e-9));
 }
 
-TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesWithBoth) {
-  records_.SetPose(1, 0, Ahead(1), map_);
+TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesWithBoth) {
+  history_.SetPose(1, 0, Ahead(1), map_);
   AddKeyframe(4, 0, Ahead(4));
-  records_.SetPose(2, 0, Ahead(2), map_);
+  history_.SetPose(2, 0, Ahead(2), map_);
   ExpectPose(1, Ahead(1));
   map_.SetPose(1, Ahead(4.8));
   ExpectPose(1, Ahead(1.2));
@@ -71,9 +71,9 @@ TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesWithBoth) {
   ExpectPose(2, Ahead(2.8));
 }
 
-TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
+TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
   const SE3 pose = pose_ * SE3::Exp(SE3::Tangent::Constant(0.2));
-  records_.SetPose(1, 0, pose, map_);
+  history_.SetPose(1, 0, pose, map_);
   AddKeyframe(2, 0, pose_ * SE3::Exp(SE3::Tangent::Constant(0.3)));
   const SE3 move(turn_, {3, -1, 2});
   map_.SetPose(0, move * map_.WorldFromKeyframe(0));
@@ -81,38 +81,38 @@ TEST_F(FrameRecordsTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
   ExpectPose(1, move * pose);
 }
 
-TEST_F(FrameRecordsTest, WhereTheFirstKeyframeStandsAPoseMovesWithItAlone) {
-  records_.SetPose(1, 0, pose_, map_);
+TEST_F(FrameHistoryTest, WhereTheFirstKeyframeStandsAPoseMovesWithItAlone) {
+  history_.SetPose(1, 0, pose_, map_);
   AddKeyframe(2, 0, Ahead(4));
   map_.SetPose(1, Ahead(5));
   ExpectPose(1, pose_);
 }
 
-TEST_F(FrameRecordsTest, BeforeTheFirstKeyframeOfASegmentAPoseMovesWithItAlone) {
+TEST_F(FrameHistoryTest, BeforeTheFirstKeyframeOfASegmentAPoseMovesWithItAlone) {
   AddKeyframe(4, 1, Ahead(4));
   AddKeyframe(6, 1, Ahead(6));
-  records_.SetPose(2, 1, Ahead(2), map_);
+  history_.SetPose(2, 1, Ahead(2), map_);
   map_.SetPose(2, Ahead(7));
   ExpectPose(2, Ahead(2));
   map_.SetPose(1, Ahead(5));
   ExpectPose(2, Ahead(3));
 }
 
-TEST_F(FrameRecordsTest, SegmentsDoNotMoveEachOther) {
-  records_.SetPose(1, 0, Ahead(1), map_);
+TEST_F(FrameHistoryTest, SegmentsDoNotMoveEachOther) {
+  history_.SetPose(1, 0, Ahead(1), map_);
   AddKeyframe(2, 1, Ahead(2));
   map_.SetPose(1, Ahead(8));
   ExpectPose(1, Ahead(1));
 }
 
-TEST_F(FrameRecordsTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
-  records_.SetPose(1, 0, Ahead(1), map_);
+TEST_F(FrameHistoryTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
+  history_.SetPose(1, 0, Ahead(1), map_);
   AddKeyframe(2, 0, Ahead(2));
-  records_.SetPose(3, 0, Ahead(3), map_);
+  history_.SetPose(3, 0, Ahead(3), map_);
   AddKeyframe(4, 0, Ahead(4));
   map_.SetPose(1, Ahead(2.2));
   map_.CullKeyframe(1, 0);
-  records_.RemoveKeyframe(1, map_);
+  history_.RemoveKeyframe(1, map_);
   ExpectPose(1, Ahead(1.1));
   ExpectPose(2, Ahead(2.2));
   ExpectPose(3, Ahead(3.1));
@@ -122,45 +122,55 @@ TEST_F(FrameRecordsTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
   ExpectPose(3, Ahead(6.2));
 }
 
-TEST_F(FrameRecordsTest, RotationsAreChainedToAPosedFrame) {
-  records_.SetRotation(1, 0, turn_);
-  records_.SetRotation(2, 1, turn_);
-  const FrameResult result = records_.ResultOf(2, map_);
+TEST_F(FrameHistoryTest, RotationsAreChainedToAPosedFrame) {
+  history_.SetRotation(1, 0, turn_);
+  history_.SetRotation(2, 1, turn_);
+  const FrameResult result = history_.ResultOf(2, map_);
   EXPECT_FALSE(result.world_from_camera);
   EXPECT_THAT(*result.world_from_camera_rotation,
               test::IsRotationNear(pose_.rotation() * turn_ * turn_, 1e-9));
 }
 
-TEST_F(FrameRecordsTest, RotationsAreChainedToTheBeginning) {
-  records_.SetRotation(1, 1, SO3());
-  records_.SetRotation(2, 1, turn_);
-  EXPECT_THAT(*records_.RotationOf(2, map_), test::IsRotationNear(turn_, 1e-9));
+TEST_F(FrameHistoryTest, RotationsAreChainedToTheBeginning) {
+  history_.SetRotation(1, 1, SO3());
+  history_.SetRotation(2, 1, turn_);
+  EXPECT_THAT(*history_.RotationOf(2, map_), test::IsRotationNear(turn_, 1e-9));
 }
 
-TEST_F(FrameRecordsTest, APoseTakesThePlaceOfARotation) {
-  records_.SetRotation(1, 1, turn_);
-  records_.SetPose(1, 0, Ahead(1), map_);
-  EXPECT_THAT(*records_.ResultOf(1, map_).world_from_camera,
+TEST_F(FrameHistoryTest, APoseTakesThePlaceOfARotation) {
+  history_.SetRotation(1, 1, turn_);
+  history_.SetPose(1, 0, Ahead(1), map_);
+  EXPECT_THAT(*history_.ResultOf(1, map_).world_from_camera,
               test::IsPoseNear(Ahead(1), 1e-9, 1e-9));
-  EXPECT_THAT(*records_.RotationOf(1, map_), test::IsRotationNear(pose_.rotation(), 1e-9));
+  EXPECT_THAT(*history_.RotationOf(1, map_), test::IsRotationNear(pose_.rotation(), 1e-9));
 }
 
-TEST_F(FrameRecordsTest, AFrameIsAKeyframeOfTheSegmentThatPosesItFirst) {
+TEST_F(FrameHistoryTest, AFrameIsAKeyframeOfTheSegmentThatPosesItFirst) {
   AddKeyframe(4, 0, Ahead(4));
-  records_.SetPose(2, 0, Ahead(2), map_);
+  history_.SetPose(2, 0, Ahead(2), map_);
   AddKeyframe(2, 1, Ahead(8));
-  EXPECT_TRUE(records_.outcome(4).is_keyframe);
-  EXPECT_FALSE(records_.outcome(2).is_keyframe);
+  EXPECT_TRUE(history_.outcome(4).is_keyframe);
+  EXPECT_FALSE(history_.outcome(2).is_keyframe);
   ExpectPose(2, Ahead(2));
 }
 
-TEST_F(FrameRecordsTest, AFrameTakesAtMost200Bytes) {
-  EXPECT_LE(records_.num_bytes(), 200u * static_cast<std::size_t>(records_.size()));
+TEST_F(FrameHistoryTest, AFrameTakesAtMost200Bytes) {
+  EXPECT_LE(history_.num_bytes(), 200u * static_cast<std::size_t>(history_.size()));
 }
 
-TEST_F(FrameRecordsTest, ABrokenChainTellsNothing) {
-  records_.SetRotation(3, 2, turn_);
-  EXPECT_FALSE(records_.RotationOf(3, map_));
+TEST_F(FrameHistoryTest, ABrokenChainTellsNothing) {
+  history_.SetRotation(3, 2, turn_);
+  EXPECT_FALSE(history_.RotationOf(3, map_));
+}
+
+TEST_F(FrameHistoryTest, FailedAdjustmentStaysInTheAccount) {
+  history_.AddAdjustments({AdjustmentStatus::kConverged, AdjustmentStatus::kNone});
+  EXPECT_EQ(history_.outcome(7).window_adjustment, AdjustmentStatus::kConverged);
+  EXPECT_EQ(history_.outcome(7).camera_adjustment, AdjustmentStatus::kNone);
+  history_.AddAdjustments({AdjustmentStatus::kSolverFailed, AdjustmentStatus::kConverged});
+  history_.AddAdjustments({AdjustmentStatus::kIterationLimit, AdjustmentStatus::kNone});
+  EXPECT_EQ(history_.outcome(7).window_adjustment, AdjustmentStatus::kSolverFailed);
+  EXPECT_EQ(history_.outcome(7).camera_adjustment, AdjustmentStatus::kConverged);
 }
 
 }  // namespace
