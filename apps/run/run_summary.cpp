@@ -59,12 +59,14 @@ std::string ReasonsText(const RunSummary& summary) {
 }
 
 std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
-  const auto residuals = MeasureResiduals(odometry.map());
-  if (residuals && IsImplausible(*residuals)) {
+  MatchResidualOptions options;
+  options.max_distance = odometry.options().matching.max_distance;
+  const auto residuals = MeasureResiduals(odometry.map(), options);
+  if (residuals && IsImplausible(*residuals, options)) {
     spdlog::warn(
         "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
-        "2 px at most are expected); check the camera's focal length, center and distortion",
-        residuals->median_px, residuals->num_matches);
+        "{:.0f} px at most are expected); check the camera's focal length, center and distortion",
+        residuals->median_px, residuals->num_matches, options.max_median_px);
   }
   return residuals;
 }

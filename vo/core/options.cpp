@@ -1,30 +1,12 @@
 #include "vo/core/options.h"
 
 #include <string>
-#include <type_traits>
 
 #include "orb/error.h"
+#include "vo/core/option_fields.h"
 
 namespace corvo {
 namespace {
-
-/// Throws an Error of CheckRange whose field is "<section>.<name>".
-class RangeCheck {
- public:
-  explicit RangeCheck(const char* section) : section_(section) {}
-
-  template <typename T>
-  void operator()(const char* name, const T& value, const std::type_identity_t<T>& min,
-                  const std::type_identity_t<T>& max, const char* /*meaning*/) const {
-    CheckRange(section_ + "." + name, value, min, max);
-  }
-
-  template <typename T>
-  void operator()(const char* /*name*/, const T& /*value*/, const char* /*meaning*/) const {}
-
- private:
-  std::string section_;
-};
 
 /// Throws what the options' own Validate() throws, if they have one, as "<section>.<message>".
 template <typename Options>
@@ -42,11 +24,7 @@ void CheckTogether(const char* section, const Options& options) {
 
 void OdometryOptions::Validate() const {
   VisitSections(*this, [](const char* name, const auto& section) {
-    using Section = std::decay_t<decltype(section)>;
-    Section::Visit(section, RangeCheck(name));
-    if constexpr (requires { Section::VisitAdvanced(section, RangeCheck(name)); }) {
-      Section::VisitAdvanced(section, RangeCheck(name));
-    }
+    CheckFields(name, section);
     CheckTogether(name, section);
   });
 }

@@ -31,7 +31,7 @@ struct MatchingOptions {
 struct MeasurementOptions {
   double keypoint_sigma_px = 1.0;    // ablation
   double aligned_sigma_px = 0.6;     // ablation
-  double max_view_angle_deg = 60;    // Mur-Artal et al., "ORB-SLAM", 2015, V-D.
+  double min_view_cosine = 0.5;      // Mur-Artal et al., "ORB-SLAM", 2015, V-D.
   double distance_tolerance = 1.25;  // ablation
   double min_correlation = 0.8;      // ablation
   double sigma_along_ray = 10;       // Any value far above 1 stands for "unknown".
@@ -46,8 +46,9 @@ struct MeasurementOptions {
   }
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
-    field("max_view_angle_deg", self.max_view_angle_deg, 1.0, 180.0,
-          "largest angle to a landmark's mean viewing direction at which it can be seen, degrees");
+    field("min_view_cosine", self.min_view_cosine, -1.0, 1.0,
+          "cosine of the largest angle to a landmark's mean viewing direction from which it is "
+          "visible");
     field("distance_tolerance", self.distance_tolerance, 1.0, 100.0,
           "factor by which a landmark may be nearer or farther than its octaves can show");
     field("min_correlation", self.min_correlation, 0.0, 1.0,
@@ -72,6 +73,8 @@ struct InitializerOptions {
   double rotation_search_radius_px = 10;  // ablation
   int min_refinement_matches = 10;        // ablation
   double max_plane_change_deg = 15;       // ablation
+  double min_share_before_plane = 0.98;   // ablation
+  double common_parallax = 4;             // ablation
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
@@ -103,6 +106,11 @@ struct InitializerOptions {
           "least number of matches to refine a rotation");
     field("max_plane_change_deg", self.max_plane_change_deg, 0.0, 90.0,
           "angle between normals that belong to the same plane, degrees");
+    field("min_share_before_plane", self.min_share_before_plane, 0.0, 1.0,
+          "inliers whose rays must meet the plane in front of the camera");
+    field(
+        "common_parallax", self.common_parallax, 0.0, 1e6,
+        "standard deviation of a coarse rotation, as a multiple of the median parallax it leaves");
   }
 };
 
@@ -112,8 +120,6 @@ struct PoseOptimizerOptions {
   int num_robust_rounds = 2;  // ablation
   int max_iterations = 10;    // ablation
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& /*self*/, Visitor&& /*field*/) {}
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
     field("num_rounds", self.num_rounds, 1, 100, "rounds, each of which classifies inliers anew");
@@ -125,19 +131,19 @@ struct PoseOptimizerOptions {
 
 /// Locating a frame in the map.
 struct TrackerOptions {
-  double search_radius_px = 15;                     // ablation
-  int min_inliers = 20;                             // ablation
-  int min_matches = 20;                             // ablation
-  int min_first_inliers = 10;                       // ablation
-  double widening = 2;                              // ablation
-  double min_inlier_share = 0.5;                    // ablation
-  int max_local_keyframes = 30;                     // ablation
-  double max_ratio = 0.8;                           // Lowe, 2004, 7.1.
-  double max_frontal_angle_deg = 3.62430749400795;  // ablation
-  double frontal_radius_px = 2.5;                   // ablation
-  double oblique_radius_px = 4.0;                   // ablation
-  double pnp_max_error_sigmas = 3;                  // Three standard deviations.
-  int pnp_max_iterations = 300;  // Enough for 40% inliers at a confidence of 0.999.
+  double search_radius_px = 15;        // ablation
+  int min_inliers = 20;                // ablation
+  int min_matches = 20;                // ablation
+  int min_first_inliers = 10;          // ablation
+  double widening = 2;                 // ablation
+  double min_inlier_share = 0.5;       // ablation
+  int max_local_keyframes = 30;        // ablation
+  double max_ratio = 0.8;              // Lowe, 2004, 7.1.
+  double max_frontal_angle_deg = 3.6;  // ablation
+  double frontal_radius_px = 2.5;      // ablation
+  double oblique_radius_px = 4.0;      // ablation
+  double pnp_max_error_sigmas = 3;     // Three standard deviations.
+  int pnp_max_iterations = 300;        // Enough for 40% inliers at a confidence of 0.999.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
@@ -265,8 +271,6 @@ struct CullingOptions {
   double max_redundant_share = 0.9;  // ablation
   int num_redundant_observers = 3;   // ablation
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& /*self*/, Visitor&& /*field*/) {}
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
     field("min_found_share", self.min_found_share, 0.0, 1.0,

@@ -28,17 +28,16 @@ Eigen::Matrix3d WithPositiveDepth(const Eigen::Matrix3d& homography,
   return sum < 0 ? Eigen::Matrix3d(-homography) : homography;
 }
 
-/// Nearly every inlier's ray meets the plane in front of the first camera.
-bool IsInFront(const Eigen::Vector3d& normal, const std::vector<RayMatch>& matches,
-               const std::vector<char>& is_inlier) {
-  constexpr double kMinShare = 0.98;
+/// The share of the inliers' rays that meet the plane in front of the first camera.
+double ShareBeforePlane(const Eigen::Vector3d& normal, const std::vector<RayMatch>& matches,
+                        const std::vector<char>& is_inlier) {
   int num_inliers = 0, num_in_front = 0;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!is_inlier[i]) continue;
     ++num_inliers;
     num_in_front += normal.dot(matches[i].first.homogeneous()) > 0;
   }
-  return num_in_front >= kMinShare * num_inliers;
+  return num_inliers == 0 ? 0 : static_cast<double>(num_in_front) / num_inliers;
 }
 
 bool HasSimilar(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& normal,
@@ -58,7 +57,8 @@ std::vector<Eigen::Vector3d> NormalsOf(const std::vector<PlanarMotion>& motions)
 
 std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& homography,
                                               const std::vector<RayMatch>& matches,
-                                              const std::vector<char>& is_inlier) {
+                                              const std::vector<char>& is_inlier,
+                                              double min_share_before_plane) {
   constexpr double kSamePlaneDeg = 1;  // Moving along the normal, both solutions are one.
   cv::Mat matrix;
   cv::eigen2cv(WithPositiveDepth(homography, matches, is_inlier), matrix);
@@ -71,7 +71,8 @@ std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& homography,
     cv::cv2eigen(rotations[i], rotation);
     cv::cv2eigen(translations[i], translation);
     cv::cv2eigen(normals[i], normal);
-    if (translation.norm() == 0 || !IsInFront(normal, matches, is_inlier)) continue;
+    if (translation.norm() == 0) continue;
+    if (ShareBeforePlane(normal, matches, is_inlier) < min_share_before_plane) continue;
     if (HasSimilar(NormalsOf(motions), normal, kSamePlaneDeg)) continue;
     motions.push_back({SE3(SO3(rotation), translation), normal});
   }

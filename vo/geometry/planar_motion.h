@@ -19,10 +19,12 @@ struct PlanarMotion {
 
 /// The motions that a homography allows if the inliers lie in front of both cameras: one or, in
 /// general, two (Malis and Vargas, "Deeper understanding of the homography decomposition for
-/// vision-based control", 2007). None for a rotation, which shows no plane.
+/// vision-based control", 2007): at least `min_share_before_plane` of the rays must meet the plane
+/// in front of the first camera. None for a rotation, which shows no plane.
 std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& second_from_first_homography,
                                               const std::vector<RayMatch>& matches,
-                                              const std::vector<char>& is_inlier);
+                                              const std::vector<char>& is_inlier,
+                                              double min_share_before_plane = 0.98);
 
 /// Tells the true motion from its twin by waiting: the plane stays where it is, so its normal in
 /// the reference view is among those of every view; the twin's moves with the motion.

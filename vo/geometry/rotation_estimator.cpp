@@ -58,10 +58,10 @@ std::vector<double> ComputeParallax(const std::vector<RayMatch>& matches,
   return angles;
 }
 
-SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_first) {
-  constexpr double kCommonParallax = 4;
+SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_first,
+                   double common_parallax) {
   const double sigma =
-      std::max(kCommonParallax * Median(ComputeParallax(matches, second_from_first)), 1e-9);
+      std::max(common_parallax * Median(ComputeParallax(matches, second_from_first)), 1e-9);
   Minimum<EpipolarMotion> best{{second_from_first, {}}, std::numeric_limits<double>::infinity()};
   for (int axis = 0; axis < 3; ++axis) {
     const Minimum<EpipolarMotion> fit =

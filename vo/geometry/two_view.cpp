@@ -170,7 +170,8 @@ bool CheckPlane(const Eigen::Matrix3d& homography, const ModelScore& essential_s
   const double share = score.score / (score.score + essential_score.score);
   if (!(share > options.max_homography_share)) return false;
   result.reason = Reason::kPlanar;
-  result.planar_motions = DecomposeHomography(homography, matches, score.is_inlier);
+  result.planar_motions =
+      DecomposeHomography(homography, matches, score.is_inlier, options.min_share_before_plane);
   return true;
 }
 

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "orb/error.h"
+#include "vo/core/option_fields.h"
 
 namespace corvo {
 namespace {
@@ -248,7 +249,7 @@ struct NameCollector {
 template <typename Fields>
 std::vector<std::string> FieldNames(const Fields& fields) {
   std::vector<std::string> names;
-  Fields::Visit(fields, NameCollector{names});
+  VisitFileFields(fields, NameCollector{names});
   return names;
 }
 
@@ -384,7 +385,7 @@ OdometryOptions ReadOptions(const fs::path& file) {
     if (!node.IsDefined()) return;
     const Section section(root.file(), name, node);
     section.CheckKeys(FieldNames(fields));
-    std::decay_t<decltype(fields)>::Visit(fields, FieldReader(section));
+    VisitFileFields(fields, FieldReader(section));
   });
   try {
     options.Validate();
@@ -399,7 +400,7 @@ std::string WriteOptions(const OdometryOptions& options) {
   OdometryOptions::VisitSections(options, [&text](const char* name, const auto& fields) {
     if (FieldNames(fields).empty()) return;
     text += fmt::format("\n{}:\n", name);
-    std::decay_t<decltype(fields)>::Visit(fields, FieldWriter("  ", text));
+    VisitFileFields(fields, FieldWriter("  ", text));
   });
   return text;
 }

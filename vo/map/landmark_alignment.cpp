@@ -42,12 +42,11 @@ std::optional<AlignedKeypoint> AlignWithReference(const Reference& reference,
                                                   const Eigen::Matrix2d& reference_from_frame,
                                                   const MeasurementModel& model, const Frame& frame,
                                                   int k) {
-  constexpr float kMinCorrelation = 0.8F;
   const double scale = model.Scale(frame, k);
   const orb::PatchWarp warp =
       ToWarp(scale / model.octave_scales[reference.octave] * reference_from_frame);
   const auto alignment = orb::AlignPatch(*reference.patch, frame.patches[k], warp);
-  if (!alignment || alignment->correlation < kMinCorrelation) return std::nullopt;
+  if (!alignment || alignment->correlation < model.options.min_correlation) return std::nullopt;
   const Eigen::Vector2d pixel = frame.detected_pixel(k) +
                                 scale * Eigen::Vector2d(alignment->x, alignment->y) +
                                 reference_from_frame.inverse() * reference.offset_px;

@@ -5,7 +5,7 @@
 namespace corvo {
 
 Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark) {
-  constexpr double kSigmaAlong = 10;
+  const double sigma_along = map.model().options.sigma_along_ray;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const TrackElement& o : landmark.track) {
     const Frame& frame = map.keyframe(o.keyframe).frame;
@@ -14,7 +14,7 @@ Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark) {
     const double sigma_across = map.model().Sigma(frame, o.keypoint) / map.camera().focal();
     const Eigen::Matrix3d along = ray * ray.transpose() / squared_distance;
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
-    information += (across / (sigma_across * sigma_across) + along / (kSigmaAlong * kSigmaAlong)) /
+    information += (across / (sigma_across * sigma_across) + along / (sigma_along * sigma_along)) /
                    squared_distance;
   }
   return information.inverse();

@@ -24,18 +24,16 @@ orb::SearchWindow LandmarkView::Window(double radius_px, int octaves_below,
 
 std::optional<LandmarkView> ProjectLandmark(const Landmark& landmark, const SE3& world_from_camera,
                                             const MeasurementModel& model) {
-  constexpr double kMinViewCosine = 0.5;
-  constexpr double kDistanceTolerance = 1.25;
+  const double tolerance = model.options.distance_tolerance;
   const Eigen::Vector3d offset = landmark.in_world - world_from_camera.translation();
   const double distance = offset.norm();
   const double min_distance = landmark.max_distance / model.octave_scales.back();
-  if (distance > landmark.max_distance * kDistanceTolerance ||
-      distance * kDistanceTolerance < min_distance) {
+  if (distance > landmark.max_distance * tolerance || distance * tolerance < min_distance) {
     return std::nullopt;
   }
   LandmarkView view;
   view.view_cosine = offset.dot(landmark.view_direction) / distance;
-  if (view.view_cosine < kMinViewCosine) return std::nullopt;
+  if (view.view_cosine < model.options.min_view_cosine) return std::nullopt;
   const auto pixel = model.camera.Project(world_from_camera.rotation().Inverse() * offset);
   if (!pixel || !model.camera.Contains(*pixel)) return std::nullopt;
   view.pixel = *pixel;

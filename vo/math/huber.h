@@ -4,10 +4,6 @@
 
 namespace corvo {
 
-/// Where the loss of an adjustment becomes linear, in sigmas: sooner than outliers begin, as most
-/// errors are a fraction of their sigma (docs/ablation.md).
-inline constexpr double kHuberSigmas = 1;
-
 /// A loss of a squared error, and its derivative: the weight.
 struct Loss {
   double value;

@@ -6,6 +6,7 @@
 
 #include "vo/camera/camera_fit.h"
 #include "vo/core/conventions.h"
+#include "vo/core/option_fields.h"
 
 namespace corvo {
 namespace {
@@ -23,21 +24,18 @@ CameraModel ModelOf(CalibrationModel model) {
   return CameraModel::kPinhole;
 }
 
-std::vector<FreeParameter> DistortionOf(CalibrationModel model) {
-  constexpr double kRadialSigma = 0.3, kTangentialSigma = 0.01, kOmegaSigma = 1;
+std::vector<FreeParameter> DistortionOf(CalibrationModel model, const CandidateOptions& options) {
+  const double radial = options.radial_sigma;
+  const double tangential = options.tangential_sigma;
   switch (model) {
     case CalibrationModel::kPinhole:
       break;
     case CalibrationModel::kRadtan:
-      return {{"k1", kRadialSigma},
-              {"k2", kRadialSigma},
-              {"p1", kTangentialSigma},
-              {"p2", kTangentialSigma}};
+      return {{"k1", radial}, {"k2", radial}, {"p1", tangential}, {"p2", tangential}};
     case CalibrationModel::kKb4:
-      return {
-          {"k1", kRadialSigma}, {"k2", kRadialSigma}, {"k3", kRadialSigma}, {"k4", kRadialSigma}};
+      return {{"k1", radial}, {"k2", radial}, {"k3", radial}, {"k4", radial}};
     case CalibrationModel::kFov:
-      return {{"omega", kOmegaSigma}};
+      return {{"omega", options.omega_sigma}};
   }
   return {};
 }
@@ -70,38 +68,42 @@ std::vector<CalibrationModel> AllCalibrationModels() {
           CalibrationModel::kKb4};
 }
 
-CameraPrior PriorOf(CalibrationModel model, const Camera& start) {
-  const double center_sigma = 0.02 * start.width();
+void CandidateOptions::Validate() const { CheckFields("camera_candidate", *this); }
+
+CameraPrior PriorOf(CalibrationModel model, const Camera& start, const CandidateOptions& options) {
+  const double center_sigma = options.center_sigma_share * start.width();
   CameraPrior prior{FitCamera(start, ModelOf(model)),
                     {{"focal"}, {"cx", center_sigma}, {"cy", center_sigma}}};
   if (model == CalibrationModel::kPinhole)
     prior.given = WithoutDistortion(prior.given, CameraModel::kPinhole);
   prior.given.cx = 0.5 * (start.width() - 1);
   prior.given.cy = 0.5 * (start.height() - 1);
-  for (const FreeParameter& parameter : DistortionOf(model)) prior.free.push_back(parameter);
+  for (const FreeParameter& parameter : DistortionOf(model, options))
+    prior.free.push_back(parameter);
   return prior;
 }
 
 CameraCandidate AdjustCandidate(CalibrationModel model, const Camera& start,
-                                const std::vector<Bundle>& bundles,
+                                const std::vector<Bundle>& bundles, const CandidateOptions& options,
                                 const AdjustmentProgress& progress) {
-  CameraCandidate candidate{model, PriorOf(model, start), {}, bundles, 0};
+  options.Validate();
+  CameraCandidate candidate{model, PriorOf(model, start, options), {}, bundles, 0};
   candidate.adjustment =
-      BundleAdjuster({.num_rounds = 2})
+      BundleAdjuster({.num_rounds = options.num_rounds})
           .Adjust(candidate.prior, candidate.prior.given, candidate.bundles, progress);
   candidate.information_criterion = InformationCriterion(candidate.prior, candidate.adjustment);
   return candidate;
 }
 
-int SelectCandidate(const std::vector<CameraCandidate>& candidates) {
-  constexpr double kVeryStrongEvidence = 10;
+int SelectCandidate(const std::vector<CameraCandidate>& candidates,
+                    const CandidateOptions& options) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const CameraCandidate& candidate : candidates) {
     lowest = std::min(lowest, candidate.information_criterion);
   }
   int selected = kNoId;
   for (int i = 0; i < static_cast<int>(candidates.size()) && std::isfinite(lowest); ++i) {
-    if (candidates[i].information_criterion > lowest + kVeryStrongEvidence) continue;
+    if (candidates[i].information_criterion > lowest + options.max_excess) continue;
     const bool is_simpler =
         selected == kNoId || candidates[i].prior.num_free() < candidates[selected].prior.num_free();
     if (is_simpler) selected = i;

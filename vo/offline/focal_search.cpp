@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -11,6 +12,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "orb/error.h"
+#include "vo/core/option_fields.h"
 #include "vo/geometry/epipolar_motion.h"
 #include "vo/geometry/ray_match.h"
 #include "vo/geometry/rotation_estimator.h"
@@ -20,15 +23,6 @@
 namespace corvo {
 namespace {
 
-constexpr double kMinFovDeg = 25;
-constexpr double kMaxFovDeg = 120;
-constexpr double kUnknownFovDeg = 70;
-constexpr int kNumCoarse = 27;         // Focal lengths, about 8% apart.
-constexpr int kNumFine = 4;            // Either side of the best, at a quarter of that.
-constexpr int kMinMatches = 30;        // Of a pair.
-constexpr double kMaxSigma = 0.15;     // Of a focal length that is determined.
-constexpr double kUselessSigma = 0.5;  // Any focal length is as good.
-
 double FocalOf(double fov_deg, double width) {
   return 0.5 * width / std::tan(fov_deg * std::numbers::pi / 360);
 }
@@ -37,15 +31,14 @@ FocalCandidate MakeCandidate(double focal, double width, double cost) {
   return {focal, 2 * std::atan(0.5 * width / focal) * 180 / std::numbers::pi, cost};
 }
 
-std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches) {
+std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches, double max_error_px) {
   std::vector<cv::Point2d> first, second;
   for (const PixelMatch& match : matches) {
     first.emplace_back(match.first.x(), match.first.y());
     second.emplace_back(match.second.x(), match.second.y());
   }
-  constexpr double kThresholdPx = 2;
   cv::Mat mask;
-  const cv::Mat found = cv::findFundamentalMat(first, second, mask, MakeUsacParams(kThresholdPx));
+  const cv::Mat found = cv::findFundamentalMat(first, second, mask, MakeUsacParams(max_error_px));
   if (found.rows != 3 || found.cols != 3) return std::nullopt;
   Eigen::Matrix3d fundamental;
   cv::cv2eigen(found, fundamental);
@@ -62,33 +55,36 @@ double SampsonError(const Eigen::Matrix3d& fundamental, const PixelMatch& match)
   return std::abs(match.second.homogeneous().dot(in_second)) / (norm * match.sigma);
 }
 
-/// A pair whose wrong matches are left out; pixels from the image's center.
+/// A pair without its wrong matches; pixels are counted from the image's center.
 struct Pair {
   PixelMatches matches;
   Eigen::Matrix3d fundamental;
   double noise = 0;  // Median Sampson error as a standard deviation, in units of the sigmas.
 };
 
-std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& center) {
+/// A pair with enough matches that agree with one fundamental matrix.
+std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& center,
+                             const FocalSearchOptions& options) {
   constexpr double kNormalFromMedian = 1.4826;
-  constexpr double kMaxError = 3;
-  if (matches.size() < kMinMatches) return std::nullopt;
+  const std::size_t min_matches = options.min_matches;
+  if (matches.size() < min_matches) return std::nullopt;
   PixelMatches centered = matches;
   for (PixelMatch& match : centered) {
     match.first -= center;
     match.second -= center;
   }
-  const std::optional<Eigen::Matrix3d> fundamental = FindFundamental(centered);
+  const std::optional<Eigen::Matrix3d> fundamental =
+      FindFundamental(centered, options.max_error_px);
   if (!fundamental) return std::nullopt;
   Pair pair{{}, *fundamental, 0};
   std::vector<double> errors;
   for (const PixelMatch& match : centered) {
     const double error = SampsonError(*fundamental, match);
-    if (!(error < kMaxError)) continue;
+    if (!(error < options.max_error_sigmas)) continue;
     pair.matches.push_back(match);
     errors.push_back(error);
   }
-  if (errors.size() < kMinMatches) return std::nullopt;
+  if (errors.size() < min_matches) return std::nullopt;
   pair.noise = kNormalFromMedian * Median(std::move(errors));
   return pair;
 }
@@ -184,18 +180,21 @@ std::vector<double> EpipolarCosts(const Pair& pair, const std::vector<double>& f
 
 /// A rotation costs two errors a match and no depth, a motion one and a depth: of matches without
 /// parallax the rotation's robust cost is higher by 0.39 each, and parallax of one sigma adds 0.3.
-bool IsRotation(double rotation_cost, double epipolar_cost, std::size_t num_matches) {
-  constexpr double kMaxExcess = 0.6;
-  return rotation_cost < epipolar_cost + kMaxExcess * static_cast<double>(num_matches);
+bool IsRotation(double rotation_cost, double epipolar_cost, std::size_t num_matches,
+                double max_excess) {
+  return rotation_cost < epipolar_cost + max_excess * static_cast<double>(num_matches);
 }
 
 /// A pair's costs over the focal lengths, by the model that explains it.
-std::vector<double> PairCosts(const Pair& pair, const std::vector<double>& focals, double noise) {
+std::vector<double> PairCosts(const Pair& pair, const std::vector<double>& focals, double noise,
+                              double max_rotation_excess) {
   std::vector<double> epipolar = EpipolarCosts(pair, focals, noise);
   std::vector<double> rotation = RotationCosts(pair, focals, noise);
   const double least_epipolar = *std::min_element(epipolar.begin(), epipolar.end());
   const double least_rotation = *std::min_element(rotation.begin(), rotation.end());
-  return IsRotation(least_rotation, least_epipolar, pair.matches.size()) ? rotation : epipolar;
+  const bool is_rotation =
+      IsRotation(least_rotation, least_epipolar, pair.matches.size(), max_rotation_excess);
+  return is_rotation ? rotation : epipolar;
 }
 
 /// Costs by pair and focal length.
@@ -218,14 +217,11 @@ struct Sweep {
   double LogStep() const { return std::log(focals[0] / focals[1]); }
 };
 
-Sweep MakeSweep(const std::vector<Pair>& pairs, double longest, double shortest, int count,
-                double noise) {
-  Sweep sweep;
-  for (int i = 0; i < count; ++i) {
-    sweep.focals.push_back(longest * std::pow(shortest / longest, i / (count - 1.0)));
-  }
-  for (const Pair& pair : pairs) sweep.costs.push_back(PairCosts(pair, sweep.focals, noise));
-  return sweep;
+std::vector<double> GeometricSteps(double first, double last, int count) {
+  std::vector<double> steps;
+  for (int i = 0; i < count; ++i)
+    steps.push_back(first * std::pow(last / first, i / (count - 1.0)));
+  return steps;
 }
 
 /// Of a fine sweep: where the parabola through the costs around the best has its minimum, and how
@@ -277,7 +273,7 @@ double SpreadVariance(const Sweep& sweep, double focal, double inflation) {
   return sum / weights;
 }
 
-CameraParameters CenterdPinhole(double focal, int width, int height) {
+CameraParameters CenteredPinhole(double focal, int width, int height) {
   CameraParameters camera;
   camera.width = width;
   camera.height = height;
@@ -287,43 +283,74 @@ CameraParameters CenterdPinhole(double focal, int width, int height) {
   return camera;
 }
 
-/// Both sweeps, of at least one pair.
-void SearchAmong(const std::vector<Pair>& pairs, FocalSearchResult& result) {
-  constexpr double kMinNoise = 1e-3;  // Exact matches.
-  const double width = result.camera.width;
-  std::vector<double> noises;
-  for (const Pair& pair : pairs) noises.push_back(pair.noise);
-  const double noise = std::max(kMinNoise, Median(noises));
-  const Sweep coarse =
-      MakeSweep(pairs, FocalOf(kMinFovDeg, width), FocalOf(kMaxFovDeg, width), kNumCoarse, noise);
-  const std::size_t best = coarse.Best();
-  for (std::size_t i = 0; i < coarse.focals.size(); ++i) {
-    result.sweep.push_back(MakeCandidate(coarse.focals[i], width, coarse.Total(i)));
+/// Both sweeps over the focal lengths.
+class FocalSearch {
+ public:
+  /// Of at least one pair.
+  FocalSearch(std::vector<Pair> pairs, const FocalSearchOptions& options)
+      : pairs_(std::move(pairs)), options_(options) {
+    std::vector<double> noises;
+    for (const Pair& pair : pairs_) noises.push_back(pair.noise);
+    constexpr double kMinNoise = 1e-3;  // Exact matches.
+    noise_ = std::max(kMinNoise, Median(std::move(noises)));
   }
-  if (best == 0 || best + 1 == coarse.focals.size()) return;
-  const Sweep fine =
-      MakeSweep(pairs, coarse.focals[best - 1], coarse.focals[best + 1], 2 * kNumFine + 1, noise);
-  const Peak peak = FindPeak(fine);
-  const double spread = SpreadVariance(coarse, peak.focal, peak.inflation);
-  const bool is_wide = spread > coarse.LogStep() * coarse.LogStep();
-  result.focal_sigma = std::sqrt(peak.variance + (is_wide ? spread : 0));
-  result.is_determined = result.focal_sigma < kMaxSigma;
-  if (result.focal_sigma < kUselessSigma) result.camera.fx = result.camera.fy = peak.focal;
-}
+
+  void Run(FocalSearchResult& result) const {
+    const double width = result.camera.width;
+    const Sweep coarse = MakeSweep(FocalOf(options_.min_fov_deg, width),
+                                   FocalOf(options_.max_fov_deg, width), options_.num_coarse);
+    for (std::size_t i = 0; i < coarse.focals.size(); ++i) {
+      result.sweep.push_back(MakeCandidate(coarse.focals[i], width, coarse.Total(i)));
+    }
+    const std::size_t best = coarse.Best();
+    if (best == 0 || best + 1 == coarse.focals.size()) return;
+    const Peak peak = FindPeak(
+        MakeSweep(coarse.focals[best - 1], coarse.focals[best + 1], 2 * options_.num_fine + 1));
+    const double spread = SpreadVariance(coarse, peak.focal, peak.inflation);
+    const bool is_wide = spread > coarse.LogStep() * coarse.LogStep();
+    result.focal_sigma = std::sqrt(peak.variance + (is_wide ? spread : 0));
+    result.is_determined = result.focal_sigma < options_.max_sigma;
+    if (result.focal_sigma < options_.useless_sigma) {
+      result.camera.fx = result.camera.fy = peak.focal;
+    }
+  }
+
+ private:
+  Sweep MakeSweep(double longest, double shortest, int count) const {
+    Sweep sweep{GeometricSteps(longest, shortest, count), {}};
+    for (const Pair& pair : pairs_) {
+      sweep.costs.push_back(PairCosts(pair, sweep.focals, noise_, options_.max_rotation_excess));
+    }
+    return sweep;
+  }
+
+  std::vector<Pair> pairs_;
+  const FocalSearchOptions& options_;
+  double noise_ = 1;  // Median of the pairs' noises.
+};
 
 }  // namespace
 
-FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width, int height) {
+void FocalSearchOptions::Validate() const {
+  CheckFields("focal_search", *this);
+  CheckRange("focal_search.max_fov_deg", max_fov_deg, min_fov_deg + 1, 170.0);
+}
+
+FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width, int height,
+                              const FocalSearchOptions& options) {
+  options.Validate();
   FocalSearchResult result;
-  result.camera = CenterdPinhole(FocalOf(kUnknownFovDeg, width), width, height);
+  result.camera = CenteredPinhole(FocalOf(options.unknown_fov_deg, width), width, height);
   result.camera.Validate();
   const Eigen::Vector2d center(result.camera.cx, result.camera.cy);
   std::vector<Pair> usable;
   for (const PixelMatches& matches : pairs) {
-    if (std::optional<Pair> pair = MakePair(matches, center)) usable.push_back(std::move(*pair));
+    if (std::optional<Pair> pair = MakePair(matches, center, options)) {
+      usable.push_back(std::move(*pair));
+    }
   }
   result.num_pairs = static_cast<int>(usable.size());
-  if (!usable.empty()) SearchAmong(usable, result);
+  if (!usable.empty()) FocalSearch(std::move(usable), options).Run(result);
   return result;
 }
 

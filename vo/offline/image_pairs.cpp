@@ -4,40 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "vo/core/option_fields.h"
 #include "vo/math/median.h"
-#include "vo/tracking/frame_matching.h"
 
 namespace corvo {
 namespace {
-
-constexpr double kFar = 0.1;    // Displacement that is enough, as a share of the diagonal.
-constexpr double kNear = 0.02;  // The least that tells something.
-constexpr int kMinMatches = 100;
-
-/// Gaps between two images that are tried: 1, 2, 3, 4, 6, 8, 12, 16, ..., 64.
-bool IsGap(int gap) {
-  if (gap < 1 || gap > 64) return false;
-  while (gap % 2 == 0) gap /= 2;
-  return gap == 1 || gap == 3;
-}
 
 /// A frame without a camera: MatchFrames looks at no rays.
 Frame MakeFrameOf(orb::Features features) {
   Frame frame;
   frame.features = std::move(features);
   return frame;
-}
-
-PixelMatches ToPixels(const Frame& first, const Frame& second,
-                      const std::vector<double>& octave_scales) {
-  PixelMatches pixels;
-  for (const orb::Match& match : MatchFrames(first, second)) {
-    const int octave =
-        std::max(first.keypoint(match.query).octave, second.keypoint(match.train).octave);
-    pixels.push_back({first.detected_pixel(match.query), second.detected_pixel(match.train),
-                      octave_scales[octave]});
-  }
-  return pixels;
 }
 
 double MedianDisplacement(const PixelMatches& matches) {
@@ -48,8 +25,15 @@ double MedianDisplacement(const PixelMatches& matches) {
 
 }  // namespace
 
-ImagePairs::ImagePairs(int num_images, int max_pairs) {
-  const int num_starts = std::min(num_images - 1, max_pairs);
+void ImagePairOptions::Validate() const {
+  extractor.Validate();
+  CheckFields("image_pairs", *this);
+}
+
+ImagePairs::ImagePairs(int num_images, const ImagePairOptions& options)
+    : options_(options), extractor_(options.extractor) {
+  options.Validate();
+  const int num_starts = std::min(num_images - 1, options.max_pairs);
   for (int i = 0; i < num_starts; ++i) {
     Start start;
     start.image = static_cast<int>(static_cast<long long>(i) * (num_images - 1) / num_starts);
@@ -57,33 +41,50 @@ ImagePairs::ImagePairs(int num_images, int max_pairs) {
   }
 }
 
+bool ImagePairs::IsGap(int gap) const {
+  if (gap < 1 || gap > options_.max_gap) return false;
+  while (gap % 2 == 0) gap /= 2;
+  return gap == 1 || gap == 3;
+}
+
 bool ImagePairs::Needs(int i) const {
-  return std::any_of(starts_.begin(), starts_.end(), [i](const Start& start) {
+  return std::any_of(starts_.begin(), starts_.end(), [this, i](const Start& start) {
     return start.image == i || (!start.is_done && IsGap(i - start.image));
   });
 }
 
 void ImagePairs::Add(int i, const cv::Mat& image, const cv::Mat& mask) {
   if (!Needs(i)) return;
-  const double far_px = kFar * std::hypot(image.cols, image.rows);
+  const double diagonal_px = std::hypot(image.cols, image.rows);
   const Frame frame = MakeFrameOf(extractor_.Extract(image, mask));
   for (Start& start : starts_) {
     if (start.image == i) start.frame = frame;
-    if (!start.is_done && IsGap(i - start.image)) Match(frame, far_px, start);
+    if (!start.is_done && IsGap(i - start.image)) Match(frame, diagonal_px, start);
   }
 }
 
-void ImagePairs::Match(const Frame& frame, double far_px, Start& start) const {
-  PixelMatches matches = ToPixels(start.frame, frame, extractor_.octave_scales());
+void ImagePairs::Match(const Frame& frame, double diagonal_px, Start& start) const {
+  PixelMatches matches = MatchPixels(start.frame, frame);
   const double displacement_px = MedianDisplacement(matches);
-  const double near_px = kNear / kFar * far_px;
-  if (matches.size() < kMinMatches) {
+  const double min_px = options_.min_displacement * diagonal_px;
+  if (static_cast<int>(matches.size()) < options_.min_matches) {
     start.is_done = true;
-  } else if (displacement_px > std::max(near_px, start.displacement_px)) {
+  } else if (displacement_px > std::max(min_px, start.displacement_px)) {
     start.matches = std::move(matches);
     start.displacement_px = displacement_px;
-    start.is_done = displacement_px > far_px;
+    start.is_done = displacement_px > options_.far_displacement * diagonal_px;
   }
+}
+
+PixelMatches ImagePairs::MatchPixels(const Frame& first, const Frame& second) const {
+  PixelMatches pixels;
+  for (const orb::Match& match : MatchFrames(first, second, options_.matching)) {
+    const int octave =
+        std::max(first.keypoint(match.query).octave, second.keypoint(match.train).octave);
+    pixels.push_back({first.detected_pixel(match.query), second.detected_pixel(match.train),
+                      extractor_.octave_scales()[octave]});
+  }
+  return pixels;
 }
 
 std::vector<PixelMatches> ImagePairs::Get() const {

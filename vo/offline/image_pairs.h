@@ -7,15 +7,41 @@
 #include "orb/extractor.h"
 #include "vo/map/frame.h"
 #include "vo/offline/focal_search.h"
+#include "vo/tracking/frame_matching.h"
 
 namespace corvo {
+
+/// Which pairs of images are matched; see ImagePairs.
+struct ImagePairOptions {
+  orb::ExtractorOptions extractor;
+  FrameMatchingOptions matching;
+  int max_pairs = 16;              // ablation
+  int max_gap = 64;                // Bounds the cost of a slow camera.
+  int min_matches = 100;           // ablation
+  double min_displacement = 0.02;  // ablation
+  double far_displacement = 0.1;   // ablation
+
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("max_pairs", self.max_pairs, 1, 10000, "pairs of all sequences together");
+    field("max_gap", self.max_gap, 1, 10000, "largest number of images from first to second");
+    field("min_matches", self.min_matches, 8, 100000, "least number of matches of a pair");
+    field("min_displacement", self.min_displacement, 0.0, 1.0,
+          "least median displacement of a pair's features, as a share of the image's diagonal");
+    field("far_displacement", self.far_displacement, 0.0, 1.0,
+          "median displacement with which the search ends, as a share of the image's diagonal");
+  }
+
+  /// Throws corvo::Error naming the first field out of range.
+  void Validate() const;
+};
 
 /// Matches features between images of a sequence, for SearchFocal: from first images spread
 /// evenly over it, each with the earliest later one to which the features have moved far.
 class ImagePairs {
  public:
-  /// Of `num_images` images, with at most `max_pairs` first ones.
-  ImagePairs(int num_images, int max_pairs);
+  /// Pairs of `num_images` images. Throws corvo::Error on options out of range.
+  explicit ImagePairs(int num_images, const ImagePairOptions& options = {});
 
   /// Whether image `i` is looked at.
   bool Needs(int i) const;
@@ -36,8 +62,12 @@ class ImagePairs {
     bool is_done = false;
   };
 
-  void Match(const Frame& frame, double far_px, Start& start) const;
+  /// Whether images so far apart are matched: 1, 2, 3, 4, 6, 8, 12, 16 ... images.
+  bool IsGap(int gap) const;
+  void Match(const Frame& frame, double diagonal_px, Start& start) const;
+  PixelMatches MatchPixels(const Frame& first, const Frame& second) const;
 
+  ImagePairOptions options_;
   orb::Extractor extractor_;
   std::vector<Start> starts_;
 };

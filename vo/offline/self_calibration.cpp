@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "orb/error.h"
+#include "vo/core/option_fields.h"
 #include "vo/odometry.h"
-#include "vo/offline/image_pairs.h"
 #include "vo/offline/observation_log.h"
 #include "vo/offline/sequence_record.h"
 
@@ -54,12 +54,12 @@ int CountImages(const StreamOpener& open, Progress& progress) {
 /// Matches pairs of images of all sequences.
 class PairCollector {
  public:
-  PairCollector(int pairs_per_sequence, Progress& progress)
-      : pairs_per_sequence_(pairs_per_sequence), progress_(progress) {}
+  PairCollector(const ImagePairOptions& options_of_one, Progress& progress)
+      : options_of_one_(options_of_one), progress_(progress) {}
 
   void Add(const StreamOpener& open) {
     const int num_images = CountImages(open, progress_);
-    ImagePairs sequence(num_images, pairs_per_sequence_);
+    ImagePairs sequence(num_images, options_of_one_);
     const std::unique_ptr<ImageStream> stream = open();
     for (int i = 0; progress_.Report(StepAt(i, num_images)); ++i) {
       if (!sequence.Needs(i)) {
@@ -85,7 +85,7 @@ class PairCollector {
     return step;
   }
 
-  int pairs_per_sequence_;
+  ImagePairOptions options_of_one_;
   Progress& progress_;
   cv::Size size_;
   std::vector<PixelMatches> pairs_;
@@ -105,12 +105,15 @@ CameraPrior MakeFocalPrior(const FocalSearchResult& search, const SelfCalibratio
 
 CameraStart SearchStart(const std::vector<StreamOpener>& sequences,
                         const SelfCalibrationOptions& options, Progress& progress) {
+  ImagePairOptions options_of_one = options.image_pairs;
   const int num_sequences = std::max(1, static_cast<int>(sequences.size()));
-  PairCollector collector(std::max(1, options.max_pairs / num_sequences), progress);
+  options_of_one.max_pairs = std::max(1, options_of_one.max_pairs / num_sequences);
+  PairCollector collector(options_of_one, progress);
   for (const StreamOpener& open : sequences) collector.Add(open);
   if (progress.is_cancelled()) return {};
   CameraStart start;
-  start.search = SearchFocal(collector.pairs(), collector.size().width, collector.size().height);
+  const cv::Size size = collector.size();
+  start.search = SearchFocal(collector.pairs(), size.width, size.height, options.focal_search);
   start.prior = MakeFocalPrior(start.search, options);
   return start;
 }
@@ -175,9 +178,10 @@ class Calibrator {
 
   CameraCandidate Adjust(CalibrationModel model, const Camera& start,
                          const std::vector<Bundle>& bundles) {
-    return AdjustCandidate(model, start, bundles, [&](double share) {
+    const auto report = [&](double share) {
       return progress_.Report({Stage::kAdjustment, 0, 0, model, share});
-    });
+    };
+    return AdjustCandidate(model, start, bundles, options_.candidates, report);
   }
 
   std::vector<CameraCandidate> AdjustAll(const CameraCandidate& first,
@@ -198,9 +202,19 @@ class Calibrator {
 
 }  // namespace
 
+void SelfCalibrationOptions::Validate() const {
+  odometry.Validate();
+  image_pairs.Validate();
+  focal_search.Validate();
+  candidates.Validate();
+  CheckFields("self_calibration", *this);
+  CheckRange("self_calibration.max_focal_sigma", max_focal_sigma, min_focal_sigma, 10.0);
+}
+
 std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequences,
                                            const SelfCalibrationOptions& options,
                                            const CalibrationProgress& callback) {
+  options.Validate();
   Progress progress(callback);
   CameraStart start = SearchStart(sequences, options, progress);
   if (progress.is_cancelled()) return std::nullopt;
@@ -210,6 +224,7 @@ std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequ
 std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
                                       const SelfCalibrationOptions& options,
                                       const CalibrationProgress& callback) {
+  options.Validate();
   Progress progress(callback);
   CameraStart start = SearchStart({sequence}, options, progress);
   if (progress.is_cancelled()) return std::nullopt;
@@ -226,6 +241,7 @@ CameraCalibration CalibrateCamera(const std::vector<StreamOpener>& sequences,
                                   const SelfCalibrationOptions& options,
                                   const CalibrationProgress& callback) {
   if (models.empty()) throw Error("calibration: no model is given; allowed is one or more");
+  options.Validate();
   Progress progress(callback);
   CameraCalibration calibration;
   calibration.start = SearchStart(sequences, options, progress);
@@ -234,7 +250,7 @@ CameraCalibration CalibrateCamera(const std::vector<StreamOpener>& sequences,
         Calibrator(sequences, models, options, progress).Run(calibration.start.prior);
   }
   calibration.is_cancelled = progress.is_cancelled();
-  calibration.selected = SelectCandidate(calibration.candidates);
+  calibration.selected = SelectCandidate(calibration.candidates, options.candidates);
   return calibration;
 }
 

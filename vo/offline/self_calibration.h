@@ -8,6 +8,7 @@
 #include "vo/core/options.h"
 #include "vo/offline/camera_selection.h"
 #include "vo/offline/focal_search.h"
+#include "vo/offline/image_pairs.h"
 #include "vo/offline/image_stream.h"
 
 namespace corvo {
@@ -29,16 +30,40 @@ using CalibrationProgress = std::function<bool(const CalibrationStep&)>;
 /// How a camera is found from its images alone.
 struct SelfCalibrationOptions {
   OdometryOptions odometry;
+  ImagePairOptions image_pairs;
+  FocalSearchOptions focal_search;
+  CandidateOptions candidates;
   int threads = 1;
-  int max_pairs = 16;               ///< Pairs of images of all sequences in the focal search.
-  int max_first_pass_images = 500;  ///< See FindCamera.
-  int max_rounds = 4;               ///< See CalibrateCamera.
-  double max_focal_change = 0.01;   ///< See CalibrateCamera; a share of the focal length.
-  double min_focal_sigma = 0.1;     ///< What the search assumes costs that much, a share.
-  double max_focal_sigma = 0.5;     ///< A share.
-  double k1_sigma = 0.1;            ///< Before the first image; the same of k2.
-  double k2_sigma = 0.05;
-  double center_sigma_share = 0.01;  ///< Of the principal point, as a share of the width.
+  int max_first_pass_images = 500;   // ablation
+  int max_rounds = 4;                // ablation
+  double max_focal_change = 0.01;    // ablation
+  double min_focal_sigma = 0.1;      // docs/calibration.md
+  double max_focal_sigma = 0.5;      // Beyond it any focal length is as good.
+  double k1_sigma = 0.1;             // docs/calibration.md
+  double k2_sigma = 0.05;            // docs/calibration.md
+  double center_sigma_share = 0.01;  // docs/calibration.md
+
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("threads", self.threads, 1, 4096, "threads of each odometry");
+    field("max_first_pass_images", self.max_first_pass_images, 2, 1000000000,
+          "images after which FindCamera takes the odometry's camera");
+    field("max_rounds", self.max_rounds, 1, 100,
+          "largest number of passes of CalibrateCamera through all sequences");
+    field("max_focal_change", self.max_focal_change, 0.0, 10.0,
+          "change of the focal length with which CalibrateCamera's passes end, as a share of it");
+    field("min_focal_sigma", self.min_focal_sigma, 1e-6, 10.0,
+          "least standard deviation of a focal length that was searched, as a share of it");
+    field("max_focal_sigma", self.max_focal_sigma, 1e-6, 10.0,
+          "largest standard deviation of a focal length that was searched, as a share of it");
+    field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "standard deviation of k1 before the first image");
+    field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "standard deviation of k2 before the first image");
+    field("center_sigma_share", self.center_sigma_share, 1e-6, 1.0,
+          "standard deviation of the principal point, as a share of the width");
+  }
+
+  /// Throws corvo::Error naming the first field out of range.
+  void Validate() const;
 };
 
 /// A camera to start from.

@@ -11,7 +11,7 @@ namespace corvo {
 
 /// What a match between two frames must satisfy.
 struct FrameMatchingOptions {
-  int max_distance = 64;   ///< Bits.
+  int max_distance = 65;   ///< Bits.
   double max_ratio = 0.8;  ///< Nearest over second nearest.
 };
 

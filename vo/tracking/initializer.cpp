@@ -64,6 +64,7 @@ void NormalizeDepth(InitialMap& map) {
 
 Initializer::Initializer(const OdometryOptions& options, const MeasurementModel& model)
     : options_(options.initializer),
+      matching_{options.matching.max_distance, options.initializer.max_ratio},
       adjuster_(WindowAdjustment(options.bundle_adjuster)),
       model_(model) {}
 
@@ -93,7 +94,7 @@ InitializationResult Initializer::AddFrame(Frame frame) {
     result.reason = Reason::kReferenceFrame;
     return result;
   }
-  const std::vector<orb::Match> matches = MatchFrames(reference, newest);
+  const std::vector<orb::Match> matches = MatchFrames(reference, newest, matching_);
   result.num_matches = static_cast<int>(matches.size());
   MakeMap(matches, result);
   if (!result.map && !result.reference_from_newest) ContinueRotation(result);
@@ -145,7 +146,7 @@ void Initializer::ContinueRotation(InitializationResult& result) const {
   const auto last = std::find(has_rotation_.rbegin(), has_rotation_.rend(), true);
   if (last == has_rotation_.rend()) return;
   const Frame& known = frames_[std::distance(last, has_rotation_.rend()) - 1];
-  const std::vector<orb::Match> matches = MatchFrames(known, frames_.back());
+  const std::vector<orb::Match> matches = MatchFrames(known, frames_.back(), matching_);
   const TwoViewResult motion = CheckPureRotation(ToRayMatches(known, matches), options_);
   if (!motion.first_from_second_rotation) return;
   result.reference = known.index;
@@ -156,7 +157,7 @@ void Initializer::ContinueRotation(InitializationResult& result) const {
 SO3 Initializer::RefineRotation(const Frame& reference, const SO3& reference_from_newest) const {
   const RotatedFrames views{reference, frames_.back(), reference_from_newest.Inverse()};
   const std::vector<orb::Match> keypoints =
-      MatchRotatedFrames(views, model_, options_.rotation_search_radius_px);
+      MatchRotatedFrames(views, model_, options_.rotation_search_radius_px, matching_);
   std::vector<RayMatch> matches = ToRayMatches(reference, keypoints);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const auto aligned =
@@ -168,7 +169,8 @@ SO3 Initializer::RefineRotation(const Frame& reference, const SO3& reference_fro
   if (static_cast<int>(matches.size()) < options_.min_refinement_matches) {
     return reference_from_newest;
   }
-  return corvo::RefineRotation(matches, EstimateRotation(matches)).Inverse();
+  return corvo::RefineRotation(matches, EstimateRotation(matches), options_.common_parallax)
+      .Inverse();
 }
 
 std::vector<Frame> Initializer::TakeFrames() {

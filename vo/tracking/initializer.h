@@ -17,6 +17,7 @@
 #include "vo/map/initial_map.h"
 #include "vo/map/measurement_model.h"
 #include "vo/optimization/bundle_adjuster.h"
+#include "vo/tracking/frame_matching.h"
 
 namespace corvo {
 
@@ -73,6 +74,7 @@ class Initializer {
                                      const std::vector<orb::Match>& matches) const;
 
   InitializerOptions options_;
+  FrameMatchingOptions matching_;
   BundleAdjuster adjuster_;
   MeasurementModel model_;
   std::deque<Frame> frames_;

@@ -144,7 +144,8 @@ std::optional<SE3> Tracker::LocateWithoutPrediction(const Map& map, const Frame&
                                                     Frame& frame) const {
   frame.landmarks.assign(frame.landmarks.size(), kNoId);
   PointRays points;
-  for (const orb::Match& match : MatchFrames(previous, frame)) {
+  for (const orb::Match& match :
+       MatchFrames(previous, frame, {matching_.max_distance, options_.max_ratio})) {
     const Landmark* landmark = map.FindLandmark(map.Resolve(previous.landmarks[match.query]));
     if (landmark == nullptr) continue;
     frame.landmarks[match.train] = landmark->id;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/matchers.h"
+#include "vo/core/option_fields.h"
 
 namespace corvo {
 namespace {
@@ -44,12 +45,7 @@ TEST(OptionsTest, DefaultsAreValid) { EXPECT_NO_THROW(OdometryOptions().Validate
 TEST(OptionsTest, EveryNumberOutOfRangeIsNamedWithItsSection) {
   OdometryOptions options;
   OdometryOptions::VisitSections(options, [&](const char* name, auto& fields) {
-    using Section = std::decay_t<decltype(fields)>;
-    const RangeBreaker breaker{options, name};
-    Section::Visit(fields, breaker);
-    if constexpr (requires { Section::VisitAdvanced(fields, breaker); }) {
-      Section::VisitAdvanced(fields, breaker);
-    }
+    VisitAllFields(fields, RangeBreaker{options, name});
   });
   EXPECT_NO_THROW(options.Validate());
 }
