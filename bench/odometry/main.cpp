@@ -14,6 +14,7 @@
 #include "bench/odometry/child_process.h"
 #include "bench/odometry/cost.h"
 #include "bench/odometry/endurance.h"
+#include "bench/odometry/option_setting.h"
 #include "bench/odometry/report.h"
 #include "bench/odometry/scenarios.h"
 #include "vo/io/config.h"
@@ -25,6 +26,7 @@ struct Arguments {
   std::string scenarios;
   std::string perturbations;
   std::string config;
+  std::vector<std::string> settings;
   std::string json;
   int jobs = 2;
   int endurance_frames = 0;
@@ -119,10 +121,19 @@ void PrintEndurance(const Arguments& arguments, const OdometryOptions& options) 
   }
 }
 
+OdometryOptions MakeOptions(const Arguments& arguments) {
+  OdometryOptions options =
+      arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
+  for (const std::string& setting : arguments.settings) SetOption(setting, options);
+  return options;
+}
+
 void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--scenarios", arguments.scenarios, "those whose title matches this expression");
   app.add_option("--perturbations", arguments.perturbations, "those whose title matches");
   app.add_option("--config", arguments.config, "options file instead of the defaults");
+  app.add_option("--set", arguments.settings,
+                 "SECTION.FIELD=VALUE, also of options that files do not have; repeatable");
   app.add_option("--json", arguments.json, "where every figure is written");
   app.add_option("--jobs", arguments.jobs, "trials at once")->check(CLI::Range(1, 1024));
   app.add_flag("--rendered", arguments.rendered, "also the rendered scenarios; they take minutes");
@@ -147,8 +158,7 @@ int Main(int argc, char** argv) {
   Arguments arguments;
   AddOptions(app, arguments);
   CLI11_PARSE(app, argc, argv);
-  const OdometryOptions options =
-      arguments.config.empty() ? OdometryOptions() : ReadOptions(arguments.config);
+  const OdometryOptions options = MakeOptions(arguments);
   if (arguments.cost) {
     PrintCosts(options);
     return 0;
