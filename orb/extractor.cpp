@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "orb/apportion.h"
+#include "orb/descriptor.h"
 #include "orb/error.h"
 #include "orb/level_extractor.h"
 #include "orb/orientation.h"
@@ -188,7 +189,8 @@ Extractor::Extractor(const ExtractorOptions& options, int threads)
     : options_(Validated(options)),
       threads_(threads),
       octave_scales_(OctaveScales(options.num_levels, options.scale_factor)),
-      describer_(LoadPattern(options.pattern), options.orientation_bins, options.upright),
+      describer_(std::make_shared<Describer>(LoadPattern(options.pattern), options.orientation_bins,
+                                             options.upright)),
       buffers_(std::make_shared<BufferPool>()) {
   CheckRange("threads", threads, 1, 256);
 }
@@ -225,7 +227,7 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
   buffers->workers.ForEach(num_levels, [&](int i) {
     const std::size_t start = buffers->starts[i];
     const std::size_t count = buffers->quotas[i];
-    extractors[i].Describe(levels[i], i, options_, describer_,
+    extractors[i].Describe(levels[i], i, options_, *describer_,
                            {std::span(features.keypoints).subspan(start, count),
                             std::span(features.descriptors).subspan(start, count)});
   });
@@ -238,7 +240,7 @@ DescribedKeypoints Extractor::Describe(const cv::Mat& image,
                                        std::span<const Keypoint> keypoints) const {
   CheckInput(image, cv::Mat());
   const std::vector<PyramidLevel> levels = BuildPyramid(image, octave_scales_);
-  KeypointDescriber describer(levels, describer_);
+  KeypointDescriber describer(levels, *describer_);
   std::vector<Keypoint> oriented(keypoints.begin(), keypoints.end());
   std::vector<std::optional<Descriptor>> descriptors(keypoints.size());
   for (const int i : OrderByRow(keypoints)) descriptors[i] = describer.Describe(oriented[i]);

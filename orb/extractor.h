@@ -6,7 +6,6 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "orb/descriptor.h"
 #include "orb/options.h"
 #include "orb/patch.h"
 #include "orb/types.h"
@@ -20,6 +19,7 @@ struct DescribedKeypoints {
 };
 
 class BufferPool;
+class Describer;
 
 /// ORB features of gray images: oriented FAST keypoints spread over a grid and rotated BRIEF
 /// descriptors (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011).
@@ -64,7 +64,7 @@ class Extractor {
   ExtractorOptions options_;
   int threads_;
   std::vector<double> octave_scales_;
-  Describer describer_;
+  std::shared_ptr<const Describer> describer_;
   std::shared_ptr<BufferPool> buffers_;
 };
 

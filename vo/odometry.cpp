@@ -4,11 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "orb/error.h"
+#include "vo/map/frame_history.h"
 #include "vo/mapping/keyframe_policy.h"
+#include "vo/mapping/mapper.h"
+#include "vo/tracking/initializer.h"
+#include "vo/tracking/relocalizer.h"
 #include "vo/tracking/segment_start.h"
+#include "vo/tracking/tracker.h"
+#include "vo/tracking/unposed_outcome.h"
 
 namespace corvo {
 
@@ -20,17 +23,24 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
       threads_(threads),
       extractor_(options.extractor, threads),
       map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
-      initializer_(options, map_.model()),
-      tracker_(options),
-      relocalizer_(options),
-      mapper_(prior, options) {}
+      initializer_(std::make_unique<Initializer>(options, map_.model())),
+      tracker_(std::make_unique<Tracker>(options)),
+      relocalizer_(std::make_unique<Relocalizer>(options)),
+      mapper_(std::make_unique<Mapper>(prior, options)),
+      history_(std::make_unique<FrameHistory>()) {}
+
+Odometry::Odometry(Odometry&&) noexcept = default;
+Odometry& Odometry::operator=(Odometry&&) noexcept = default;
+Odometry::~Odometry() = default;
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
-  CheckInput(image, time_ns);  // Misuse leaves everything as it was.
+  // Misuse leaves everything as it was.
+  CheckImage(image, camera());
+  history_->CheckNext(time_ns);
   clock_.Reset();
   Frame frame = ExtractFrame(image, time_ns, mask);
   // Adjustments that were started earlier are used from here on: at a fixed frame, not when ready.
-  ApplyUpdate(mapper_.Update(frame.index, map_, recorder_, clock_));
+  ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);
   // Before there is a map, and while the track is lost, the frame may start a new segment.
   if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
@@ -42,9 +52,9 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 Trajectory Odometry::Finish() {
   FinishMapping();
   if (map_.empty()) return GetTrajectory();
-  mapper_.StartLastCalibration(history_.size(), map_);
+  mapper_->StartLastCalibration(history_->size(), map_);
   FinishMapping();
-  mapper_.StartAdjustment(history_.size(), map_);
+  mapper_->StartAdjustment(history_->size(), map_);
   FinishMapping();
   return GetTrajectory();
 }
@@ -55,22 +65,20 @@ void Odometry::Reset() {
   recorder_ = std::move(recorder);
 }
 
+Trajectory Odometry::GetTrajectory() const { return history_->ToTrajectory(map_); }
+
+const CameraEstimate& Odometry::camera_estimate() const { return mapper_->camera_estimate(); }
+const CameraPrior& Odometry::camera_prior() const { return mapper_->camera_prior(); }
+bool Odometry::prior_rejected() const { return mapper_->prior_rejected(); }
+
 MemoryUse Odometry::memory_use() const {
-  return {map_.working_set_bytes() + initializer_.num_bytes() + NumBytes(previous_),
-          map_.keyframe_bytes(), history_.num_bytes()};
+  return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_),
+          map_.keyframe_bytes(), history_->num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {
-  const Frame* pending = initializer_.newest();
+  const Frame* pending = initializer_->newest();
   return pending != nullptr ? *pending : previous_;
-}
-
-void Odometry::CheckInput(const cv::Mat& image, TimeNs time_ns) const {
-  CheckImage(image, camera());
-  if (history_.size() > 0 && time_ns <= last_frame().time_ns) {
-    throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
-                            history_.size(), time_ns, last_frame().time_ns));
-  }
 }
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
@@ -79,23 +87,23 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
   std::vector<orb::Patch> patches;
   extractor_.Extract(image, mask, features, patches);
   Frame frame =
-      MakeFrame(history_.size(), time_ns, std::move(features), camera(), std::move(patches));
-  history_.Add(frame);
+      MakeFrame(history_->size(), time_ns, std::move(features), camera(), std::move(patches));
+  history_->Add(frame);
   return frame;
 }
 
 void Odometry::ApplyUpdate(const MapUpdate& update) {
   if (!update.adjustments.any()) return;
-  history_.AddAdjustments(update.adjustments);
-  initializer_.SetCamera(camera());
+  history_->AddAdjustments(update.adjustments);
+  initializer_->SetCamera(camera());
   UpdateRays(camera(), previous_);
-  for (const KeyframeId culled : update.culled) history_.RemoveKeyframe(culled, map_);
-  if (history_.IsPosed(previous_.index)) {
-    previous_.world_from_camera = history_.PoseOf(previous_.index, map_);
+  for (const KeyframeId culled : update.culled) history_->RemoveKeyframe(culled, map_);
+  if (history_->IsPosed(previous_.index)) {
+    previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
   }
 }
 
-void Odometry::FinishMapping() { ApplyUpdate(mapper_.Finish(map_, recorder_, clock_)); }
+void Odometry::FinishMapping() { ApplyUpdate(mapper_->Finish(map_, recorder_, clock_)); }
 
 TrackingResult Odometry::Track(Frame& frame) {
   const StageClock::Scope scope(clock_, &StageTimes::locate_ms);
@@ -103,64 +111,62 @@ TrackingResult Odometry::Track(Frame& frame) {
   tracking.reason = Reason::kReferenceFrame;
   if (map_.empty()) return tracking;
   const SE3 predicted = motion_.Predict(previous_, frame.time_ns);
-  tracking = tracker_.Track(map_, previous_, predicted, frame);
+  tracking = tracker_->Track(map_, previous_, predicted, frame);
   const bool is_sure =
       state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
   if (tracking.is_tracked() && is_sure) return tracking;
-  return relocalizer_.Relocalize(segment_, map_, frame);
+  return relocalizer_->Relocalize(segment_, map_, frame);
 }
 
 void Odometry::InsertKeyframe(Frame& frame) {
   const StageClock::Scope scope(clock_, &StageTimes::map_ms);
-  const KeyframeId keyframe = mapper_.InsertKeyframe(frame, segment_, map_);
-  history_.AddKeyframe(frame.index, keyframe, map_);
+  const KeyframeId keyframe = mapper_->InsertKeyframe(frame, segment_, map_);
+  history_->AddKeyframe(frame.index, keyframe, map_);
 }
 
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
-  previous_.world_from_camera = history_.PoseOf(previous_.index, map_);
+  previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
   motion_.Update(previous_, frame);
-  std::vector<Frame> frames = initializer_.TakeFrames();
+  std::vector<Frame> frames = initializer_->TakeFrames();
   frames.push_back(std::move(frame));
   LocalizePendingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
-  return history_.ResultOf(previous_.index, map_);
+  return history_->ResultOf(previous_.index, map_);
 }
 
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   const StageClock::Scope scope(clock_, &StageTimes::locate_ms);
   const int index = frame.index;
   const auto lost_s = static_cast<double>(frame.time_ns - previous_.time_ns) * 1e-9;
-  frame.landmarks.assign(frame.landmarks.size(), kNoId);
-  if (!map_.empty() && initializer_.newest() == nullptr) initializer_.StartFrom(previous_);
-  const InitializationResult initialization = initializer_.AddFrame(std::move(frame));
+  if (!map_.empty() && initializer_->newest() == nullptr) initializer_->StartFrom(previous_);
+  const InitializationResult initialization = initializer_->AddFrame(std::move(frame));
   RecordUnposed(index, tracking, initialization);
   const bool may_start = map_.empty() || lost_s >= options_.relocalizer.max_lost_s;
   if (initialization.map && may_start) {
     FinishMapping();
     StartSegment(initialization);
   }
-  return history_.ResultOf(index, map_);
+  return history_->ResultOf(index, map_);
 }
 
 void Odometry::StartSegment(const InitializationResult& initialization) {
-  const int reference = initializer_.reference();
-  std::vector<Frame> frames = initializer_.TakeFrames();
+  const int reference = initializer_->reference();
+  std::vector<Frame> frames = initializer_->TakeFrames();
   Frame& first = frames[reference];
   Frame& second = frames.back();
-  const bool is_posed = history_.IsPosed(first.index);  // In the previous segment; there it stays.
-  const std::optional<SO3> rotation = history_.RotationOf(first.index, map_);
+  const bool is_posed = history_->IsPosed(first.index);  // In the previous segment; there it stays.
+  const std::optional<SO3> rotation = history_->RotationOf(first.index, map_);
   if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
   first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);
-  first.landmarks.assign(first.landmarks.size(), kNoId);
   const InitialMap initial =
       ScaleToMotion(*initialization.map, second.time_ns - first.time_ns, motion_);
-  const KeyframeId keyframe = mapper_.InsertInitialMap(initial, segment_, first, second, map_);
-  history_.AddKeyframe(first.index, keyframe, map_);
-  history_.AddKeyframe(second.index, keyframe + 1, map_);
-  mapper_.Marginalize(map_, recorder_);
+  const KeyframeId keyframe = mapper_->InsertInitialMap(initial, segment_, first, second, map_);
+  history_->AddKeyframe(first.index, keyframe, map_);
+  history_->AddKeyframe(second.index, keyframe + 1, map_);
+  mapper_->Marginalize(map_, recorder_);
   const int num_points = static_cast<int>(initial.points.size());
   if (!is_posed) RecordPosed(first, initialization.num_matches, num_points);
   RecordPosed(second, initialization.num_matches, num_points);
@@ -175,9 +181,9 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
   const int num_frames = static_cast<int>(frames.size());
   for (int i = located + step; i >= 0 && i < num_frames; i += step) {
     Frame& frame = frames[i];
-    if (history_.IsPosed(frame.index)) break;
+    if (history_->IsPosed(frame.index)) break;
     const SE3 predicted = motion_.Predict(frames[located], frame.time_ns);
-    const TrackingResult tracking = tracker_.Track(map_, frames[located], predicted, frame);
+    const TrackingResult tracking = tracker_->Track(map_, frames[located], predicted, frame);
     if (!tracking.is_tracked()) continue;
     RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
     located = i;
@@ -186,25 +192,20 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
 
 void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
   recorder_.RecordFrame(frame, segment_, map_);
-  history_.SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
+  history_->SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
 }
 
 void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,
                              const InitializationResult& initialization) {
-  state_ = map_.empty() ? State::kInitializing : State::kLost;
-  const bool is_blank = initialization.reason == Reason::kTooFewFeatures;
-  FrameOutcome& outcome = history_.outcome(frame);
-  outcome.state = state_;
-  outcome.reason = map_.empty() || is_blank ? initialization.reason : tracking.reason;
-  outcome.num_matches = map_.empty() ? initialization.num_matches : tracking.num_matches;
-  outcome.num_inliers = map_.empty() ? initialization.num_inliers : tracking.num_inliers;
-  outcome.parallax_deg = initialization.parallax_deg;
+  FrameOutcome& outcome = history_->outcome(frame);
+  ExplainUnposed(!map_.empty(), tracking, initialization, outcome);
+  state_ = outcome.state;
   if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
-    history_.SetRotation(frame, frame, SO3());
+    history_->SetRotation(frame, frame, SO3());
   }
   if (initialization.reference_from_newest) {
-    history_.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
-    if (history_.RotationOf(frame, map_)) {
+    history_->SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
+    if (history_->RotationOf(frame, map_)) {
       segment_ = std::max(segment_, 0);
       outcome.state = State::kRotationOnly;
       outcome.reason = initialization.reason;

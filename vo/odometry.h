@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -15,16 +16,20 @@
 #include "vo/core/stage_times.h"
 #include "vo/core/trajectory.h"
 #include "vo/map/frame.h"
-#include "vo/map/frame_history.h"
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
-#include "vo/mapping/mapper.h"
-#include "vo/tracking/initializer.h"
 #include "vo/tracking/motion_model.h"
-#include "vo/tracking/relocalizer.h"
-#include "vo/tracking/tracker.h"
 
 namespace corvo {
+
+class FrameHistory;
+class Initializer;
+class Mapper;
+class Relocalizer;
+class Tracker;
+struct InitializationResult;
+struct MapUpdate;
+struct TrackingResult;
 
 /// Bytes held, by counting what the containers hold.
 struct MemoryUse {
@@ -46,6 +51,10 @@ class Odometry {
   /// also on a prior that is not valid.
   explicit Odometry(const CameraPrior& prior, const OdometryOptions& options = {}, int threads = 1);
 
+  Odometry(Odometry&&) noexcept;
+  Odometry& operator=(Odometry&&) noexcept;
+  ~Odometry();
+
   /// `image` is 8-bit gray, of the camera's size; `time_ns` is later than that of the previous
   /// frame; `mask` is empty or 8-bit and of the image's size: features are found where it is not 0.
   /// Throws corvo::Error otherwise, and is then as it was before the call.
@@ -53,7 +62,7 @@ class Odometry {
 
   /// Every frame so far, with poses as the map knows them now: later adjustments move earlier
   /// poses, and frames seen before initialization get poses afterwards.
-  Trajectory GetTrajectory() const { return history_.ToTrajectory(map_); }
+  Trajectory GetTrajectory() const;
 
   /// Ends the sequence: waits for the work done beside the frames, estimates the camera once more
   /// with the newest keyframes and returns the trajectory, which then stays as it is until the next
@@ -67,14 +76,14 @@ class Odometry {
   /// those that share landmarks with the very newest: others have been marginalized.
   const Map& map() const { return map_; }
 
-  /// Calls `sink` with each landmark that leaves the map from now on, to go nowhere else.
-  void SetLandmarkCallback(LandmarkCallback sink) {
-    recorder_.SetLandmarkCallback(std::move(sink));
+  /// Calls `callback` with each landmark that leaves the map from now on, to go nowhere else.
+  void SetLandmarkCallback(LandmarkCallback callback) {
+    recorder_.SetLandmarkCallback(std::move(callback));
   }
 
-  /// Calls `sink` with what each frame observed, from now on. See vo/offline/refiner.h.
-  void SetObservationCallback(ObservationCallback sink) {
-    recorder_.SetObservationCallback(std::move(sink));
+  /// Calls `callback` with what each frame observed, from now on. See vo/offline/refiner.h.
+  void SetObservationCallback(ObservationCallback callback) {
+    recorder_.SetObservationCallback(std::move(callback));
   }
 
   MemoryUse memory_use() const;
@@ -86,18 +95,17 @@ class Odometry {
   /// The camera as it was given, or as it is estimated meanwhile.
   const Camera& camera() const { return map_.camera(); }
   /// How far that is from what was given, and how certain it is.
-  const CameraEstimate& camera_estimate() const { return mapper_.adjuster().camera_estimate(); }
+  const CameraEstimate& camera_estimate() const;
   /// What was given; nothing is free where `calibration.enabled` is false.
-  const CameraPrior& camera_prior() const { return mapper_.adjuster().camera_prior(); }
+  const CameraPrior& camera_prior() const;
   /// The images do not fit the given camera within its sigmas: it is used as it was given.
-  bool prior_rejected() const { return mapper_.adjuster().prior_rejected(); }
+  bool prior_rejected() const;
   const OdometryOptions& options() const { return options_; }
 
   /// Of the frame processed last.
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
-  void CheckInput(const cv::Mat& image, TimeNs time_ns) const;
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
   /// Brings what depends on keyframes and camera up to date with an update of the map.
   void ApplyUpdate(const MapUpdate& update);
@@ -123,12 +131,12 @@ class Odometry {
   int threads_;
   orb::Extractor extractor_;
   Map map_;
-  Initializer initializer_;
-  Tracker tracker_;
-  Relocalizer relocalizer_;
-  Mapper mapper_;
+  std::unique_ptr<Initializer> initializer_;
+  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<Relocalizer> relocalizer_;
+  std::unique_ptr<Mapper> mapper_;
   MotionModel motion_;
-  FrameHistory history_;
+  std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;
   int segment_ = kNoId;  // kNoId before anything is known of any frame.

@@ -2,6 +2,10 @@
 
 #include <iterator>
 
+#include <fmt/format.h>
+
+#include "orb/error.h"
+
 namespace corvo {
 namespace {
 
@@ -17,6 +21,12 @@ void Update(AdjustmentStatus status, AdjustmentStatus& noted) {
 }
 
 }  // namespace
+
+void FrameHistory::CheckNext(TimeNs time_ns) const {
+  if (records_.empty() || time_ns > records_.back().outcome.time_ns) return;
+  throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
+                          size(), time_ns, records_.back().outcome.time_ns));
+}
 
 void FrameHistory::Add(const Frame& frame) {
   FrameOutcome& outcome = records_.emplace_back().outcome;

@@ -28,6 +28,8 @@ struct MatchCounts {
 class FrameHistory {
  public:
   int size() const { return static_cast<int>(records_.size()); }
+  /// Throws corvo::Error unless `time_ns`, of the frame to come, is after that of the newest frame.
+  void CheckNext(TimeNs time_ns) const;
   /// A frame that was not located yet.
   void Add(const Frame& frame);
 

@@ -15,6 +15,7 @@ Mapper::Mapper(const CameraPrior& prior, const OdometryOptions& options)
 KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Frame& first,
                                     Frame& second, Map& map) {
   second.world_from_camera = first.world_from_camera * initial.first_from_second;
+  first.landmarks.assign(first.landmarks.size(), kNoId);  // It may be of the segment before.
   const KeyframeId first_id = map.AddKeyframe(first, segment);
   const KeyframeId second_id = map.AddKeyframe(second, segment);
   for (const InitialPoint& point : initial.points) {

@@ -53,7 +53,11 @@ class Mapper {
   /// Marginalizes the keyframes that nothing searches any more.
   void Marginalize(Map& map, const ObservationRecorder& recorder) const;
 
-  const BackgroundAdjuster& adjuster() const { return adjuster_; }
+  /// How far the camera is from what was given, and how certain it is.
+  const CameraEstimate& camera_estimate() const { return adjuster_.camera_estimate(); }
+  const CameraPrior& camera_prior() const { return adjuster_.camera_prior(); }
+  /// Whether the images do not fit the given camera within its standard deviations.
+  bool prior_rejected() const { return adjuster_.prior_rejected(); }
 
  private:
   MapUpdate UseAdjustments(int frame, Map& map, const ObservationRecorder& recorder,

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "vo/map/observation_recorder.h"
+#include "vo/map/observation_callback.h"
 
 namespace corvo {
 

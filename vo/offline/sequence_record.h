@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "vo/map/observation_recorder.h"
+#include "vo/map/observation_callback.h"
 #include "vo/odometry.h"
 #include "vo/offline/observation_log.h"
 #include "vo/optimization/bundle.h"

@@ -79,6 +79,7 @@ void Initializer::StartFrom(Frame posed) {
 }
 
 InitializationResult Initializer::AddFrame(Frame frame) {
+  frame.landmarks.assign(frame.landmarks.size(), kNoId);
   Keep(std::move(frame));
   InitializationResult result;
   const Frame& newest = frames_.back();
