@@ -14,16 +14,11 @@ foreach(component IN ITEMS orb vo opencv)
   install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
 endforeach()
 
-# All headers but those of the inside, which include Highway, TBB, calib3d or Ceres.
-install(DIRECTORY orb vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo
-  FILES_MATCHING PATTERN "*.h"
-  PATTERN "*-inl.h" EXCLUDE
-  PATTERN "workers.h" EXCLUDE
-  PATTERN "adjusted_camera.h" EXCLUDE
-  PATTERN "bundle_problem.h" EXCLUDE
-  PATTERN "reprojection_cost.h" EXCLUDE
-  PATTERN "se3_manifold.h" EXCLUDE
-  PATTERN "usac_params.h" EXCLUDE)
+include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
+foreach(header IN LISTS corvo_public_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo/${folder})
+endforeach()
 
 configure_package_config_file(cmake/corvo-config.cmake.in
   ${PROJECT_BINARY_DIR}/corvo-config.cmake

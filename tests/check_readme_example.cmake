@@ -1,4 +1,4 @@
-# Fails unless README.md shows tests/embedding_example.cpp word for word.
+# Fails unless README.md shows EXAMPLE word for word.
 #   cmake -D README=... -D EXAMPLE=... -P check_readme_example.cmake
 file(READ "${README}" readme)
 file(READ "${EXAMPLE}" example)

@@ -1,6 +1,7 @@
-# Installs corvo, moves the installation, and builds and runs the consumer against it.
-#   cmake -D BUILD=... -D CONSUMER=... -D WORK=... -D SOURCE=... [-D ARGUMENTS=...] -P <this>
-# ARGUMENTS are for configuring the consumer; they match those of the build.
+# Installs corvo, moves the installation, builds the examples against it and runs them on a rendered
+# sequence.
+#   cmake -D BUILD=... -D SOURCE=... -D WORK=... [-D ARGUMENTS=...] -P <this>
+# ARGUMENTS are for configuring the examples; they match those of the build.
 
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
@@ -59,8 +60,43 @@ foreach(file IN LISTS headers)
   endif()
 endforeach()
 
-run(${WORK}/moved/bin/corvo --version)
-run(${WORK}/moved/bin/corvo config ${WORK}/moved/share/corvo/configs/default.yaml)
-run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/moved ${ARGUMENTS})
+# Every header that an installed one includes is installed, too.
+foreach(file IN LISTS headers)
+  file(STRINGS ${file} includes REGEX "^#include \"(orb|vo)/")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" header "${line}")
+    if(NOT EXISTS ${WORK}/moved/include/corvo/${header})
+      message(FATAL_ERROR "${file} includes ${header}, which is not a public header")
+    endif()
+  endforeach()
+endforeach()
+
+set(corvo ${WORK}/moved/bin/corvo)
+run(${corvo} --version)
+run(${corvo} config ${WORK}/moved/share/corvo/configs/default.yaml)
+run(${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${WORK}/build
+    -D CMAKE_PREFIX_PATH=${WORK}/moved ${ARGUMENTS})
 run(${CMAKE_COMMAND} --build ${WORK}/build --parallel 2)
-run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --output-on-failure)
+
+# Runs an example; its standard output must match `expected`.
+function(run_example expected name)
+  execute_process(COMMAND ${WORK}/build/${name} ${ARGN}
+    OUTPUT_VARIABLE output ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT output MATCHES "${expected}")
+    message(FATAL_ERROR "${name} prints \"${output}\"; expected is a match of \"${expected}\"")
+  endif()
+endfunction()
+
+run(${corvo} synth room -o ${WORK}/room --frames 40)
+file(GLOB images ${WORK}/room/rgb/*.png)
+list(SORT images COMPARE NATURAL)
+list(GET images 0 first)
+list(GET images 8 second)
+run_example("(\n[0-9]+ [-0-9.e]+ +[-0-9.e]+ +[-0-9.e]+)+" track_images ${images})
+run_example("(\n[0-9.]+ [0-9.]+ [0-7] [0-9.]+ [-0-9.e]+)+" extract_features ${first})
+run_example("^[0-9][0-9]+ mutual matches" opencv_features ${first} ${second})
+run_example("inliers of .*\ndirection of the baseline" two_views ${first} ${second})
+run_example("frames adjusted: converged.*landmarks" refine_sequence
+  ${WORK}/room/camera.yaml ${WORK}/refined.tum ${images})
+run_example("^focal length: [0-9.]+ px" calibrate_camera ${WORK}/camera.yaml ${images})
+run(${corvo} eval ${WORK}/refined.tum ${WORK}/room/groundtruth.txt)

@@ -1,0 +1,56 @@
+# The headers that are installed: what a user of the libraries calls, and what these include. All
+# others may change at any time.
+set(corvo_public_headers
+  orb/error.h
+  orb/extractor.h
+  orb/keypoint_index.h
+  orb/lsh_index.h
+  orb/lsh_keys.h
+  orb/matcher.h
+  orb/nearest.h
+  orb/opencv.h
+  orb/options.h
+  orb/patch.h
+  orb/types.h
+  vo/camera/camera.h
+  vo/camera/camera_fit.h
+  vo/camera/camera_parameters.h
+  vo/camera/camera_prior.h
+  vo/core/adjustment_status.h
+  vo/core/conventions.h
+  vo/core/frame_result.h
+  vo/core/options.h
+  vo/core/stage_times.h
+  vo/core/trajectory.h
+  vo/evaluation/evaluation.h
+  vo/geometry/planar_motion.h
+  vo/geometry/ray_match.h
+  vo/geometry/two_view.h
+  vo/io/config.h
+  vo/io/trajectory_io.h
+  vo/lie/se3.h
+  vo/lie/sim3.h
+  vo/lie/so3.h
+  vo/map/frame.h
+  vo/map/map.h
+  vo/map/measurement_model.h
+  vo/map/observation.h
+  vo/map/observation_callback.h
+  vo/map/observation_recorder.h
+  vo/odometry.h
+  vo/offline/camera_selection.h
+  vo/offline/focal_search.h
+  vo/offline/image_pairs.h
+  vo/offline/image_stream.h
+  vo/offline/match_residuals.h
+  vo/offline/observation_log.h
+  vo/offline/refiner.h
+  vo/offline/self_calibration.h
+  vo/offline/sequence_record.h
+  vo/optimization/adjustment_window.h
+  vo/optimization/bundle.h
+  vo/optimization/bundle_adjuster.h
+  vo/optimization/pose_optimizer.h
+  vo/tracking/frame_matching.h
+  vo/tracking/motion_model.h
+)
