@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fails unless corvo_bench writes what it lists: for comparisons a ratio, for stages their times.
 #   cmake -D BENCH=... -D JSON=... -P check_results.cmake
 set(bench ${BENCH} --images 2 --repeats 1)

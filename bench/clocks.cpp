@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/clocks.h"
 
 #include <time.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/comparison.h"
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/staged_extractor.h"
 
 #include <utility>

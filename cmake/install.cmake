@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What `cmake --install` lays down: libraries, headers and the CMake package; with the command also
 # the command and the configurations. The package may be moved: it names no path of this machine.
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The headers that are installed: what a user of the libraries calls, and what these include. All
 # others may change at any time.
 set(corvo_public_headers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the camera of images without a calibration target: calibrate_camera CAMERA.yaml IMAGE...
 #include <cstdlib>
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Prints the ORB features of an image, one a line: extract_features IMAGE
 #include <cstdlib>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Matches two images with OpenCV, with corvo's features in place of cv::ORB's:
 // opencv_features IMAGE IMAGE
 #include <cstdlib>

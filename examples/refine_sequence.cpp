@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tracks a camera through images, then adjusts the whole sequence:
 // refine_sequence CAMERA.yaml TRAJECTORY.tum IMAGE...
 #include <cstdlib>

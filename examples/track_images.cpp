@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tracks a camera through images: track_images IMAGE...
 #include <iostream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Estimates the motion between two images from the single stages: two_views IMAGE IMAGE
 #include <cstdlib>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/apportion.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/fast.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/hamming.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/learned_pattern.h"
 
 #include <cstdint>

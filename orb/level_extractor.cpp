@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/level_extractor.h"
 
 #include <algorithm>

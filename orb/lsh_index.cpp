@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/lsh_index.h"
 
 #include <algorithm>

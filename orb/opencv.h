@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // corvo's features as a cv::Feature2D, and conversions from and to OpenCV's types. Header-only, so

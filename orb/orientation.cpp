@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/orientation.h"
 
 #include <cstddef>

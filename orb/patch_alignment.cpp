@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/patch_alignment.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/pattern_file.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/resizer.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds the benchmarks, compares corvo with OpenCV in one process and
 # prints the README's table. Writes it as build/release/bench.md, and all figures with what they
 # were measured on as build/release/bench.json.

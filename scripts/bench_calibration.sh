@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds the benchmarks and measures the camera's estimate: how honest its
 # sigmas are on rendered films whose camera is known exactly, how soon KITTI's distortion is known,
 # and whether what one sequence tells of a camera serves another. Writes the tables as

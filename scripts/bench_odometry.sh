@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds the benchmarks and runs the odometry on the recorded sequences
 # under every perturbation, then measures its cost beside cv::ORB's. Writes the tables as
 # build/release/bench_odometry.md and every figure as build/release/bench_odometry.json.

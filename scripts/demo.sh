@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds corvo, renders a walk through a synthetic room with exact ground
 # truth, runs the odometry on it and prints how accurate it was and where the results are.
 set -euo pipefail

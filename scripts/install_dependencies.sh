@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what corvo needs to build and to run, on Debian 12 and Ubuntu 24.04. Installs only what
 # is missing, says so first, and needs neither root nor a network when nothing is.
 #
 #   install_dependencies.sh [--development]
 #
-#   --development   also ccache, clang 14, clang-format 14 and clang-tidy 14, and in the folder .venv
-#                   evo (PyPI), whose measures the tests compare with; continuous integration uses
-#                   these
+#   --development   also ccache, clang 14, clang-format 14, clang-tidy 14, codespell and doxygen, and
+#                   in the folder .venv evo (PyPI), whose measures the tests compare with; continuous
+#                   integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
 packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libhwy-dev
   libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev
   libbenchmark-dev gnuplot-nox)
-development=(ccache clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3-venv)
+development=(ccache clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
+  python3-venv)
 evo=evo==1.38.1
 
-usage() { sed -n '2,9s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,10s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds, and measures corvo's features beside OpenCV's, then its index of
 # descriptors against the exact scan: the tables and charts of docs/features.md. Writes them, and
 # every figure as JSON, to build/release/quality. Takes some minutes.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what is missing, builds corvo and its tests, and runs every test.
 #
 #   test.sh [CMAKE_ARGUMENT...]     such as -DCORVO_WERROR=ON

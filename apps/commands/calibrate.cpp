@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/commands/calibrate.h"
 
 #include <filesystem>
@@ -90,7 +91,7 @@ CameraCalibration CalibrateInputs(const CalibrateArguments& arguments) {
       ShowCalibration(static_cast<int>(openers.size()), interruption);
   CameraCalibration calibration =
       CalibrateCamera(openers, ModelsOf(arguments.model), options, progress);
-  if (calibration.is_cancelled) throw Interrupted();
+  if (calibration.is_canceled) throw Interrupted();
   return calibration;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/body_from_camera.h"
 
 #include <optional>

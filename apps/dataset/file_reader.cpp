@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/image_reader.h"
 
 namespace corvo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/frame_selection.h"
 
 #include <algorithm>

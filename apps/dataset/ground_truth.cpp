@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/ground_truth.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/mask_source.h"
 
 #include <algorithm>

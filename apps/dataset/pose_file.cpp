@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/pose_file.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/sensor_yaml.h"
 
 #include <fstream>

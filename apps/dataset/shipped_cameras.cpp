@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/shipped_cameras.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/tum_mono_sequence.h"
 
 #include <fmt/format.h>

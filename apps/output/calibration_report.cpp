@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/calibration_report.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
   const CameraPrior& prior = odometry.camera_prior();
   const bool is_refined = refinement && refinement->adjustment.estimate.covariance.rows() > 0;
   CalibrationReport report;
-  report.contradicts_given = odometry.prior_rejected();
+  report.prior_rejected = odometry.prior_rejected();
   report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
   report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.estimate.covariance
                                                   : odometry.camera_estimate().covariance);
@@ -40,7 +41,7 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
 
 nlohmann::ordered_json ToJson(const CalibrationReport& report) {
   if (report.estimates.empty()) return nullptr;
-  nlohmann::ordered_json json = {{"contradicts_given", report.contradicts_given}};
+  nlohmann::ordered_json json = {{"prior_rejected", report.prior_rejected}};
   for (const CalibrationReport::Estimate& e : report.estimates) {
     json[e.name] = {{"given", e.given},
                     {"value", e.value},
@@ -61,7 +62,7 @@ std::string ToText(const CalibrationReport& report) {
 }
 
 void WarnOfContradiction(const CalibrationReport& report) {
-  if (!report.contradicts_given) return;
+  if (!report.prior_rejected) return;
   spdlog::warn(
       "the images contradict the given camera by more than its standard deviations allow; it was "
       "used as given: check its focal length and distortion, or say how uncertain they are "

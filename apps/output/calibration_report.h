@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -23,7 +24,7 @@ struct CalibrationReport {
   };
 
   std::vector<Estimate> estimates;  ///< Empty where the camera is not estimated.
-  bool contradicts_given = false;   ///< As Odometry::prior_rejected().
+  bool prior_rejected = false;      ///< As Odometry::prior_rejected().
   CameraParameters camera;
   std::vector<FreeParameter> sigma;  ///< As camera files have it.
 };

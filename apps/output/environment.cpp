@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/environment.h"
 
 #include <fstream>

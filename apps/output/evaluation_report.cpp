@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/evaluation_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/features_output.h"
 
 #include <algorithm>

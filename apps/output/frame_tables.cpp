@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/frame_tables.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/landmark_spool.h"
 
 #include <cerrno>

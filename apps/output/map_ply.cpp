@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/map_ply.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/output_folder.h"
 
 #include <fstream>

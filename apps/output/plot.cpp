@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/plot.h"
 
 #include <algorithm>

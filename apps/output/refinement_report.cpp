@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/refinement_report.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ std::string WhyNotRefined(AdjustmentStatus status) {
       return "the solution is not a camera";
     case AdjustmentStatus::kNotImproved:
       return "the robust cost would be higher";
-    case AdjustmentStatus::kCancelled:
+    case AdjustmentStatus::kCanceled:
       return "it was interrupted";
   }
   return "";

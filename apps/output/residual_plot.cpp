@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/residual_plot.h"
 
 #include <algorithm>

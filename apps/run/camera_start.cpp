@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/camera_start.h"
 
 #include <memory>

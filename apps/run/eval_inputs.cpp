@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/eval_inputs.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/interruption.h"
 
 #include <ctime>

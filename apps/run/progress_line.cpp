@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/progress_line.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/run_results.h"
 
 #include <spdlog/spdlog.h>
@@ -71,7 +72,7 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
 /// Without sigmas where they do not hold: the images contradict them.
 CameraFile EstimatedCamera(const CalibrationReport& calibration) {
   CameraFile file{Camera(calibration.camera), {}, "estimated by corvo run", {}};
-  if (!calibration.contradicts_given) file.sigma = calibration.sigma;
+  if (!calibration.prior_rejected) file.sigma = calibration.sigma;
   return file;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/run_summary.h"
 
 #include <algorithm>

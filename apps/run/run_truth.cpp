@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/run_truth.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/sequence_stream.h"
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace corvo::synthetic {
 
-/// Things that move by themselves: three boards close before the camera, which slide to and fro
+/// Things that move by themselves: three boards close before the camera, which slide back and forth
 /// across it one above the other, and together hide a given share of the image.
 class Boards {
  public:

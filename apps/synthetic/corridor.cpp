@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -16,7 +17,7 @@ constexpr double kBegin = -4, kEnd = 60;              ///< Along x, m.
 constexpr double kHalfWidth = 1.1, kHeight = 2.6;     ///< Along y and z, m.
 constexpr double kDoorSpacing = 5, kLampSpacing = 4;  ///< m
 constexpr double kNoticeSpacing = 9;                  ///< m
-constexpr double kReach = 25, kSpeed = 1.2;           ///< Of the walk to and fro, m and m/s.
+constexpr double kReach = 25, kSpeed = 1.2;           ///< Of the walk back and forth, m and m/s.
 
 /// The canvas with its contrast cut to `percent`, about `gray`.
 Canvas Faint(Canvas canvas, int gray, int percent) {

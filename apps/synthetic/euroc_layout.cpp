@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/synthetic/euroc_layout.h"
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -88,11 +89,12 @@ Sequence MakeRoom(const SequenceOptions& options = {});
 /// 1241x376 at 10 Hz. As long as the frames ask for.
 Sequence MakeStreet(const SequenceOptions& options = {});
 
-/// One plane fills the view: the camera moves to and fro before a painted wall. 640x480 at 30 Hz.
+/// One plane fills the view: the camera moves back and forth before a painted wall. 640x480 at 30
+/// Hz.
 Sequence MakePlanarWall(const SequenceOptions& options = {});
 
 /// A walk down a corridor with little texture: plain walls, doors, lamps, and a notice here and
-/// there; 25 m to and fro. 640x480 at 30 Hz, hand-held.
+/// there; 25 m back and forth. 640x480 at 30 Hz, hand-held.
 Sequence MakeCorridor(const SequenceOptions& options = {});
 
 /// The room, from a camera that turns about its own center and does not move. 640x480 at 30 Hz.

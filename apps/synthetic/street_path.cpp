@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/synthetic/street_path.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/synthetic/training_view.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/calibration/camera_run.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/calibration/consistency.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/calibration/learning.h"
 
 #include <algorithm>

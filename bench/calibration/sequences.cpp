@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/calibration/sequences.h"
 
 #include <cstdint>

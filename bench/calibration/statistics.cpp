@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/calibration/statistics.h"
 
 #include <Eigen/Cholesky>

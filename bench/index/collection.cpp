@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/index/collection.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An index of descriptors against the exact scan: see kHelp.
 
 #include <exception>

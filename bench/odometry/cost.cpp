@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/odometry/cost.h"
 
 #include <opencv2/core/utility.hpp>

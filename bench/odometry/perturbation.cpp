@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/odometry/perturbation.h"
 
 #include <algorithm>

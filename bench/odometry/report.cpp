@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/odometry/report.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/quality/charts.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Features against features: see kHelp.
 
 #include <exception>

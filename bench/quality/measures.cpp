@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/quality/measures.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/quality/protocols.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/bit_columns.h"
 
 #include <algorithm>

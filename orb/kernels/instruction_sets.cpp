@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/instruction_sets.h"
 
 #include <cstdint>

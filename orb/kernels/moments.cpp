@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/moments.h"
 
 #undef HWY_TARGET_INCLUDE

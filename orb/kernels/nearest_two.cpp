@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/nearest_two.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Included once for every instruction set.
 #if defined(CORVO_ORB_KERNELS_PAIR_DISTANCES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CORVO_ORB_KERNELS_PAIR_DISTANCES_INL_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/window_sums.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/paired_times.h"
 
 #include <gmock/gmock.h>

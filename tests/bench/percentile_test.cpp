@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/percentile.h"
 
 #include <gtest/gtest.h>

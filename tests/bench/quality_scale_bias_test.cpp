@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bench/quality/scale_bias.h"
 
 #include <gmock/gmock.h>

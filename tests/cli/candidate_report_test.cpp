@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/candidate_report.h"
 
 #include <gmock/gmock.h>

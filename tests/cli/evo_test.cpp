@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // corvo's measures against those of evo, run as an external program on stored trajectories.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/example_folder.h"
 
 #include <fmt/format.h>

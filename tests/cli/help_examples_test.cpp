@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every example that --help prints is run, in a folder that has the files they name.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/dataset/image_source.h"
 
 #include <opencv2/core.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything `corvo run` reads beside folders of gray 8-bit images.
 #include <cmath>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/kitti_trajectory.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/match_images.h"
 
 #include <cmath>

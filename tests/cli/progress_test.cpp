@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/run/progress.h"
 
 #include <gmock/gmock.h>

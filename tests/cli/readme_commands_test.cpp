@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every command of README.md and datasets/README.md is run, in a folder laid out as they say.
 
 #include <regex>

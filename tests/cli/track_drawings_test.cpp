@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "apps/output/track_drawings.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs corvo, moves the installation, builds the examples against it and runs them on a rendered
 # sequence.
 #   cmake -D BUILD=... -D SOURCE=... -D WORK=... [-D ARGUMENTS=...] -P <this>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/data/data_path.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Writes the stored trajectories beside this file: a true path, and an estimate of it in another
 world and scale, with noise, drift, missing poses and times that are a little off.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/descriptor.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/extractor.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/harris.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/orb/images.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/keypoint_index.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/lsh_keys.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/matcher.h"
 
 #include <gmock/gmock.h>

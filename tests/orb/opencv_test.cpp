@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <corvo/orb/opencv.h>
 
 #include <gmock/gmock.h>

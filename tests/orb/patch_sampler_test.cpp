@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/patch_sampler.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/pattern.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/pyramid.h"
 
 #include <gmock/gmock.h>

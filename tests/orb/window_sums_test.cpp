@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/window_sums.h"
 
 #include <gtest/gtest.h>

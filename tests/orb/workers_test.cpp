@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/workers.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/support/data.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/support/matchers.h"
 
 #include <gmock/gmock.h>

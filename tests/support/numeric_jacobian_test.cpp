@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/support/numeric_jacobian.h"
 
 #include <gmock/gmock.h>

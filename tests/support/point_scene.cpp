@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/support/point_scene.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/support/random.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole odometry on public sequences with ground truth.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Odometry that is given a wrong camera, on rendered sequences whose camera is known exactly.
 // Statistics over many such runs: bench/calibration.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/system/sequence_runner.h"
 
 #include <vector>

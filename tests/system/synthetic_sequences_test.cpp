@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole odometry on rendered sequences whose truth is exact.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/odometry.h"
 
 #include <gmock/gmock.h>

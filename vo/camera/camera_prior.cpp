@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/camera_prior.h"
 
 #include <algorithm>

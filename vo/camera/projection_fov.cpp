@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/projection_fov.h"
 
 #include <cmath>

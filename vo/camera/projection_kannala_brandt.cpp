@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/projection_kannala_brandt.h"
 
 #include <algorithm>

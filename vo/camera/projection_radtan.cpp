@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/projection_radtan.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/core/adjustment_status.h"
 
 namespace corvo {
@@ -18,8 +19,8 @@ std::string_view ToString(AdjustmentStatus status) {
       return "invalid_camera";
     case AdjustmentStatus::kNotImproved:
       return "not_improved";
-    case AdjustmentStatus::kCancelled:
-      return "cancelled";
+    case AdjustmentStatus::kCanceled:
+      return "canceled";
   }
   return "unknown";
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ enum class AdjustmentStatus : std::uint8_t {
   kSolverFailed,    ///< No step lowers the cost, or the numbers are not finite.
   kInvalidCamera,   ///< The solution is not a camera.
   kNotImproved,     ///< The robust cost over all observations would be higher than before.
-  kCancelled,       ///< It was asked to stop.
+  kCanceled,        ///< It was asked to stop.
 };
 
 /// "none", "converged", "iteration_limit", ...

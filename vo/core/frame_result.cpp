@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/core/frame_result.h"
 
 namespace corvo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/core/options.h"
 
 #include <string>

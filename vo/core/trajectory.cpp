@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/core/trajectory.h"
 
 namespace corvo {

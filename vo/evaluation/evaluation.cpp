@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/evaluation/evaluation.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/geometry/epipolar_motion.h"
 
 #include <cmath>

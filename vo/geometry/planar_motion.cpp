@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/geometry/planar_motion.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/geometry/rotation_estimator.h"
 
 #include <algorithm>

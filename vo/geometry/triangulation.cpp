@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/geometry/triangulation.h"
 
 #include <algorithm>

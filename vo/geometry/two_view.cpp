@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/geometry/two_view.h"
 
 #include <algorithm>

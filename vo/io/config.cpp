@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/io/config.h"
 
 #include <fmt/format.h>

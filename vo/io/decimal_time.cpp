@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/io/decimal_time.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/io/text_lines.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/lie/se3.h"
 
 #include <cmath>

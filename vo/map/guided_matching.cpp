@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/guided_matching.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/landmark_alignment.h"
 
 #include <cmath>

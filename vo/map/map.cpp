@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/map.h"
 
 #include <algorithm>
@@ -53,12 +54,12 @@ std::vector<KeyframeId> Map::ActiveKeyframes() const {
 
 SE3 Map::WorldFromKeyframe(KeyframeId id) const {
   SE3 current_from_keyframe;
-  while (places_[id].anchor != kNoId) {
-    current_from_keyframe = places_[id].pose * current_from_keyframe;
-    id = places_[id].anchor;
+  while (keyframe_poses_[id].anchor != kNoId) {
+    current_from_keyframe = keyframe_poses_[id].pose * current_from_keyframe;
+    id = keyframe_poses_[id].anchor;
   }
   const SE3& world_from_current =
-      IsActive(id) ? keyframe(id).frame.world_from_camera : places_[id].pose;
+      IsActive(id) ? keyframe(id).frame.world_from_camera : keyframe_poses_[id].pose;
   return world_from_current * current_from_keyframe;
 }
 
@@ -81,9 +82,9 @@ KeyframeId Map::AddKeyframe(Frame frame, int segment) {
     if (frame.landmarks[k] == kNoId) continue;
     landmarks_.at(frame.landmarks[k]).track.push_back({id, k});
   }
-  Place place;
-  place.segment = segment;
-  places_.push_back(place);
+  KeyframePose pose;
+  pose.segment = segment;
+  keyframe_poses_.push_back(pose);
   keyframes_[id] = {id, segment, std::move(frame)};
   return id;
 }
@@ -92,8 +93,9 @@ void Map::CullKeyframe(KeyframeId id, KeyframeId anchor) {
   for (const LandmarkId landmark : LandmarksOf(id)) {
     if (FindLandmark(landmark) != nullptr) RemoveTrackElement(landmark, id);
   }
-  places_[id].pose = WorldFromKeyframe(anchor).Inverse() * keyframe(id).frame.world_from_camera;
-  places_[id].anchor = anchor;
+  keyframe_poses_[id].pose =
+      WorldFromKeyframe(anchor).Inverse() * keyframe(id).frame.world_from_camera;
+  keyframe_poses_[id].anchor = anchor;
   keyframes_.erase(id);
 }
 
@@ -106,7 +108,7 @@ std::vector<MarginalizedLandmark> Map::MarginalizeKeyframe(KeyframeId id) {
     }
     RemoveTrackElement(landmark_id, id);
   }
-  places_[id].pose = keyframe(id).frame.world_from_camera;
+  keyframe_poses_[id].pose = keyframe(id).frame.world_from_camera;
   keyframes_.erase(id);
   return finished;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -93,22 +94,24 @@ class Map {
   /// Keyframes get their rays by this camera when they are next used: see UpdateRays.
   void SetCamera(const Camera& camera) { model_.camera = camera; }
 
-  bool empty() const { return places_.empty(); }
-  int num_keyframes() const { return static_cast<int>(places_.size()); }  ///< Also those that left.
+  bool empty() const { return keyframe_poses_.empty(); }
+  int num_keyframes() const {
+    return static_cast<int>(keyframe_poses_.size());
+  }  ///< Also those that left.
   int num_landmarks() const { return static_cast<int>(landmarks_.size()); }  ///< That live.
   int num_landmark_ids() const { return num_landmark_ids_; }
 
   /// It has not left.
   bool IsActive(KeyframeId id) const { return keyframes_.count(id) > 0; }
   /// It was retired: its frame is one like any other.
-  bool IsCulled(KeyframeId id) const { return places_[id].anchor != kNoId; }
+  bool IsCulled(KeyframeId id) const { return keyframe_poses_[id].anchor != kNoId; }
   /// Those that have not left, in ascending order.
   std::vector<KeyframeId> ActiveKeyframes() const;
   /// Of one that is kept.
   const Keyframe& keyframe(KeyframeId id) const { return keyframes_.at(id); }
 
   /// Segment of any keyframe.
-  int SegmentOf(KeyframeId id) const { return places_[id].segment; }
+  int SegmentOf(KeyframeId id) const { return keyframe_poses_[id].segment; }
   /// Pose of any keyframe, retired ones through their anchors.
   SE3 WorldFromKeyframe(KeyframeId id) const;
 
@@ -170,12 +173,12 @@ class Map {
   /// Memory held by kept keyframes and living landmarks.
   std::size_t working_set_bytes() const;
   /// Memory held by what stays of every keyframe.
-  std::size_t keyframe_bytes() const { return places_.size() * sizeof(Place); }
+  std::size_t keyframe_bytes() const { return keyframe_poses_.size() * sizeof(KeyframePose); }
 
  private:
   Reference MakeReference(const TrackElement& observation);
   /// What stays of a keyframe.
-  struct Place {
+  struct KeyframePose {
     SE3 pose;                   // anchor_from_keyframe or, without an anchor, world_from_keyframe.
     KeyframeId anchor = kNoId;  // Of a retired keyframe.
     int segment = 0;
@@ -192,8 +195,8 @@ class Map {
   std::unordered_map<KeyframeId, Keyframe> keyframes_;  // Kept.
   std::unordered_map<LandmarkId, Landmark> landmarks_;  // Living.
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
-  std::deque<Merge> merges_;  // What is in merged_into_, in order of time.
-  std::deque<Place> places_;  // Of every keyframe.
+  std::deque<Merge> merges_;                 // What is in merged_into_, in order of time.
+  std::deque<KeyframePose> keyframe_poses_;  // Of every keyframe.
   int num_landmark_ids_ = 0;
 };
 

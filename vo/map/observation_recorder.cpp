@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/observation_recorder.h"
 
 #include <map>

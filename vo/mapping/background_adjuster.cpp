@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/background_adjuster.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/landmark_creation.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/landmark_fusion.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/ray_grid.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/focal_search.h"
 
 #include <algorithm>

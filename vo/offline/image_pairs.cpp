@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/image_pairs.h"
 
 #include <algorithm>

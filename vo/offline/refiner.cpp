@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/refiner.h"
 
 #include <iterator>

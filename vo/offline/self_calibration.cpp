@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/self_calibration.h"
 
 #include <algorithm>
@@ -25,14 +26,14 @@ class Progress {
   explicit Progress(const CalibrationProgress& callback) : callback_(callback) {}
 
   bool Report(const CalibrationStep& step) {
-    if (!is_cancelled_ && callback_ && !callback_(step)) is_cancelled_ = true;
-    return !is_cancelled_;
+    if (!is_canceled_ && callback_ && !callback_(step)) is_canceled_ = true;
+    return !is_canceled_;
   }
-  bool is_cancelled() const { return is_cancelled_; }
+  bool is_canceled() const { return is_canceled_; }
 
  private:
   const CalibrationProgress& callback_;
-  bool is_cancelled_ = false;
+  bool is_canceled_ = false;
 };
 
 /// All sequences are of one camera. Throws where an image has another size than those before.
@@ -110,7 +111,7 @@ CameraStart SearchStart(const std::vector<StreamOpener>& sequences,
   options_of_one.max_pairs = std::max(1, options_of_one.max_pairs / num_sequences);
   PairCollector collector(options_of_one, progress);
   for (const StreamOpener& open : sequences) collector.Add(open);
-  if (progress.is_cancelled()) return {};
+  if (progress.is_canceled()) return {};
   CameraStart start;
   const cv::Size size = collector.size();
   start.search = SearchFocal(collector.pairs(), size.width, size.height, options.focal_search);
@@ -168,7 +169,7 @@ class Calibrator {
       odometry.SetObservationCallback(log.Callback());
       ProcessStream(*sequences_[i](), std::numeric_limits<int>::max(),
                     {Stage::kTracking, round, i, {}, {}}, progress_, odometry);
-      if (progress_.is_cancelled()) return {};
+      if (progress_.is_canceled()) return {};
       for (Bundle& bundle : SequenceRecord(odometry, log, {}).MakeBundles()) {
         bundles.push_back(std::move(bundle));
       }
@@ -217,7 +218,7 @@ std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequ
   options.Validate();
   Progress progress(callback);
   CameraStart start = SearchStart(sequences, options, progress);
-  if (progress.is_cancelled()) return std::nullopt;
+  if (progress.is_canceled()) return std::nullopt;
   return start;
 }
 
@@ -227,11 +228,11 @@ std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
   options.Validate();
   Progress progress(callback);
   CameraStart start = SearchStart({sequence}, options, progress);
-  if (progress.is_cancelled()) return std::nullopt;
+  if (progress.is_canceled()) return std::nullopt;
   Odometry odometry(start.prior, options.odometry, options.threads);
   ProcessStream(*sequence(), options.max_first_pass_images, {Stage::kTracking, 1, 0, {}, {}},
                 progress, odometry);
-  if (progress.is_cancelled()) return std::nullopt;
+  if (progress.is_canceled()) return std::nullopt;
   start.prior.given = odometry.camera().parameters();
   return start;
 }
@@ -245,11 +246,11 @@ CameraCalibration CalibrateCamera(const std::vector<StreamOpener>& sequences,
   Progress progress(callback);
   CameraCalibration calibration;
   calibration.start = SearchStart(sequences, options, progress);
-  if (!progress.is_cancelled()) {
+  if (!progress.is_canceled()) {
     calibration.candidates =
         Calibrator(sequences, models, options, progress).Run(calibration.start.prior);
   }
-  calibration.is_cancelled = progress.is_cancelled();
+  calibration.is_canceled = progress.is_canceled();
   calibration.selected = SelectCandidate(calibration.candidates, options.candidates);
   return calibration;
 }

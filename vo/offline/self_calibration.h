@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -91,7 +92,7 @@ std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
 /// A camera from its sequences, without a calibration target.
 struct CameraCalibration {
   CameraStart start;
-  bool is_cancelled = false;                ///< `progress` asked to stop.
+  bool is_canceled = false;                 ///< `progress` asked to stop.
   std::vector<CameraCandidate> candidates;  ///< One for each model; none if nothing was tracked.
   int selected = kNoId;                     ///< Index of the best candidate, see SelectCandidate.
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/sequence_record.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/adjustment_window.h"
 
 #include <map>

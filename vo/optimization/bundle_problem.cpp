@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/bundle_problem.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ AdjustmentStatus ToStatus(const ceres::Solver::Summary& summary) {
     case ceres::NO_CONVERGENCE:
       return AdjustmentStatus::kIterationLimit;
     case ceres::USER_FAILURE:
-      return AdjustmentStatus::kCancelled;
+      return AdjustmentStatus::kCanceled;
     case ceres::FAILURE:
       break;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/camera_covariance.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/point_selection.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/relocalizer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/segment_start.h"
 
 namespace corvo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/unposed_outcome.h"
 
 namespace corvo {

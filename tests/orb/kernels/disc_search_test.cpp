@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/disc_search.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/distances_among.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/fast_score.h"
 
 #include <gtest/gtest.h>

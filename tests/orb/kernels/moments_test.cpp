@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/moments.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/nearest_among.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/patch.h"
 
 #include <gtest/gtest.h>

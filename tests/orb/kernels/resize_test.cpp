@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/resize.h"
 
 #include <gtest/gtest.h>

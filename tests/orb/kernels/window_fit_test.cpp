@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "orb/kernels/window_fit.h"
 
 #include <gtest/gtest.h>

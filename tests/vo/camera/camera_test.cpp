@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/camera.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/camera/differentiable_camera.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/core/stage_times.h"
 
 #include <gtest/gtest.h>

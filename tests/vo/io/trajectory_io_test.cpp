@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/io/trajectory_io.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <ceres/manifold_test_utils.h>
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/lie/sim3.h"
 
 #include <gmock/gmock.h>

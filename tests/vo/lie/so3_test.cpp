@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/lie/so3.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/frame_history.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/landmark_covariance.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/map/map.h"
 
 #include <gmock/gmock.h>

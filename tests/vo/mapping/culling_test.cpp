@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/culling.h"
 
 #include <gmock/gmock.h>

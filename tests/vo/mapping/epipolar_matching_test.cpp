@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/epipolar_matching.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/mapping/keyframe_policy.h"
 
 #include <gtest/gtest.h>

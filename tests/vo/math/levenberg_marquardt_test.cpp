@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/math/levenberg_marquardt.h"
 
 #include <gtest/gtest.h>

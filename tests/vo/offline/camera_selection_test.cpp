@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/camera_selection.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/offline/observation_log.h"
 
 #include <gmock/gmock.h>

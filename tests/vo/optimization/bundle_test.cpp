@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/bundle.h"
 
 #include <gmock/gmock.h>

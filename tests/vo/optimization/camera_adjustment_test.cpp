@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/bundle_adjuster.h"
 
 #include <gmock/gmock.h>

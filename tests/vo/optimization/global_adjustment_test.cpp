@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/bundle_adjuster.h"
 
 #include <gmock/gmock.h>
@@ -299,7 +300,7 @@ TEST(GlobalAdjustmentTest, ProgressCallbackCancels) {
   const AdjustmentSummary result =
       Adjust(Exact(camera), camera.parameters(), bundles, [&](double) { return ++num_calls < 3; });
   EXPECT_EQ(num_calls, 3);
-  EXPECT_EQ(result.status, AdjustmentStatus::kCancelled);
+  EXPECT_EQ(result.status, AdjustmentStatus::kCanceled);
   ExpectUnchanged(bundles[0], before);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/pose_optimizer.h"
 
 #include <gmock/gmock.h>

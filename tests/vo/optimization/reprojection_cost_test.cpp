@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/optimization/reprojection_cost.h"
 
 #include <gmock/gmock.h>

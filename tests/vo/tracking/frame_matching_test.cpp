@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/frame_matching.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/initializer.h"
 
 #include <gmock/gmock.h>

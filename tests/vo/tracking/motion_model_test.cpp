@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/motion_model.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "vo/tracking/tracker.h"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Checks what neither the compiler nor clang-format does: license lines, the direction of includes,
+# spelling. Prints what is wrong and fails.
+#
+#   check_style.sh
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+failed=0
+fail() {
+  echo "$1" >&2
+  failed=1
+}
+
+folders=(orb vo apps bench tests examples cmake scripts)
+while read -r file; do
+  head -n 2 "$file" | grep -q 'SPDX-License-Identifier: MIT$' ||
+    fail "$file: the first two lines lack \"SPDX-License-Identifier: MIT\""
+done < <(find CMakeLists.txt .ci/run "${folders[@]}" -type f -regex \
+  '.*\(\.\(h\|cpp\|cmake\|sh\)\|CMakeLists\.txt\|\.ci/run\)' | sort)
+
+# A file may include headers of its own layer and of those below.
+layer_of() {
+  case $1 in
+    orb/* | vo/core/* | vo/lie/* | vo/math/*) echo 1 ;;
+    vo/camera/* | vo/geometry/*) echo 2 ;;
+    vo/map/*) echo 3 ;;
+    vo/optimization/*) echo 4 ;;
+    vo/mapping/* | vo/tracking/*) echo 5 ;;
+    vo/odometry*) echo 6 ;;
+    vo/offline/*) echo 7 ;;
+    vo/io/* | vo/evaluation/*) echo 7 ;;
+    apps/*) echo 8 ;;
+  esac
+}
+while IFS=: read -r file include; do
+  header=$(sed -E 's/.*"(.*)".*/\1/' <<<"$include")
+  [ "$(layer_of "$header")" -le "$(layer_of "$file")" ] || fail "$file includes $header, which is above it"
+done < <(grep -rE --include='*.h' --include='*.cpp' '^#include "(orb|vo|apps)/' orb vo apps)
+if grep -rnE '^#include "(vo|apps)/' orb; then fail "orb/ must not include headers of vo/ or apps/"; fi
+
+codespell || failed=1
+exit "$failed"
