@@ -22,7 +22,8 @@ std::vector<std::string> CommandsIn(const std::string& markdown) {
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("```", 0) == 0) is_shell = line == "```sh";
     const bool is_command = std::regex_search(line, std::regex("^(corvo|evo_ape|evo_rpe) "));
-    if (is_shell && is_command) commands.push_back(line.substr(0, line.find(" #")));
+    if (!is_shell || !is_command) continue;
+    commands.push_back(std::regex_replace(line, std::regex(" *#.*$"), ""));
   }
   return commands;
 }
