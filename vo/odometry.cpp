@@ -35,17 +35,17 @@ Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 Odometry::~Odometry() = default;
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
-  // Misuse leaves everything as it was.
+  // Invalid input leaves the state unchanged.
   CheckImage(image, camera());
   history_->CheckNext(time_ns);
   clock_.Reset();
   Frame frame = ExtractFrame(image, time_ns, mask);
-  // Adjustments that were started earlier are used from here on: at a fixed frame, not when ready.
+  // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);
-  // Before there is a map, and while the track is lost, the frame may start a new segment.
+  // Before there is a map, and while tracking is lost, the frame may start a new segment.
   if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
-  // Landmarks die out behind a moving camera; a keyframe creates new ones.
+  // A moving camera leaves its landmarks behind; a keyframe creates new ones.
   if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) InsertKeyframe(frame);
   return Accept(std::move(frame), tracking);
 }
@@ -158,7 +158,8 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   std::vector<Frame> frames = initializer_->TakeFrames();
   Frame& first = frames[reference];
   Frame& second = frames.back();
-  const bool is_posed = history_->IsPosed(first.index);  // In the previous segment; there it stays.
+  const bool is_posed =
+      history_->IsPosed(first.index);  // In the previous segment; it keeps that pose.
   const std::optional<SO3> rotation = history_->RotationOf(first.index, map_);
   if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
   first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);

@@ -32,83 +32,86 @@ struct InitializationResult;
 struct MapUpdate;
 struct TrackingResult;
 
-/// Bytes held, by counting what the containers hold.
+/// The memory held, counted from the contents of the containers.
 struct MemoryUse {
   std::size_t working_set_bytes = 0;  ///< Frames with features, and landmarks. Bounded.
-  std::size_t keyframe_bytes = 0;     ///< What stays of every keyframe. Grows.
-  std::size_t frame_bytes = 0;        ///< What stays of every frame. Grows.
+  std::size_t keyframe_bytes = 0;     ///< Permanent data of every keyframe. Grows.
+  std::size_t frame_bytes = 0;        ///< Permanent data of every frame. Grows.
 };
 
-/// Monocular visual odometry: images in, one FrameResult for each image out. Deterministic: the
-/// same images, camera and options give the same results, for any number of threads. Instances
-/// share nothing.
+/// Monocular visual odometry, which returns one FrameResult for each image. It is deterministic:
+/// the same images, camera and options yield the same results for any number of threads. Instances
+/// share no data.
 class Odometry {
  public:
-  /// `threads` share the work of a frame; the map is adjusted by one more, beside the frames that
-  /// follow. Throws corvo::Error on options out of range.
+  /// Processes each frame with `threads` threads and adjusts the map on up to two more, in parallel
+  /// to the following frames. Throws corvo::Error if an option is out of range.
   explicit Odometry(const Camera& camera, const OdometryOptions& options = {}, int threads = 1);
 
-  /// A camera known as `prior` says, where that is not what MakePrior assumes. Throws corvo::Error
-  /// also on a prior that is not valid.
+  /// Like the above, but with a prior of the camera other than that of MakePrior(). Also throws
+  /// corvo::Error if the prior is invalid.
   explicit Odometry(const CameraPrior& prior, const OdometryOptions& options = {}, int threads = 1);
 
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
   ~Odometry();
 
-  /// `image` is 8-bit gray, of the camera's size; `time_ns` is later than that of the previous
-  /// frame; `mask` is empty or 8-bit and of the image's size: features are found where it is not 0.
-  /// Throws corvo::Error otherwise, and is then as it was before the call.
+  /// Processes one image. `image` is 8-bit gray and has the camera's size; `time_ns` is later than
+  /// that of the previous frame; `mask` is empty or 8-bit and has the size of `image`; features are
+  /// detected only where it is nonzero. Throws corvo::Error otherwise, without changing the state.
   FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
-  /// Every frame so far, with poses as the map knows them now: later adjustments move earlier
-  /// poses, and frames seen before initialization get poses afterwards.
+  /// Returns all frames so far with their current poses: later adjustments change earlier poses,
+  /// and frames before the initialization obtain poses afterwards.
   Trajectory GetTrajectory() const;
 
-  /// Ends the sequence: waits for the work done beside the frames, estimates the camera once more
-  /// with the newest keyframes and returns the trajectory, which then stays as it is until the next
-  /// call to Process.
+  /// Ends the sequence: waits for the work in the background, estimates the camera once more from
+  /// the newest keyframes and returns the trajectory, which does not change until the next call to
+  /// Process.
   Trajectory Finish();
 
-  /// As newly constructed, with the same camera, options and callbacks.
+  /// Resets to the state after construction, with the same camera, options and callbacks.
   void Reset();
 
-  /// Keyframes and landmarks. Features and landmarks are those of the newest keyframes, and of
-  /// those that share landmarks with the very newest: others have been marginalized.
+  /// Returns the keyframes and landmarks. Only the newest keyframes, and those that share landmarks
+  /// with the very newest, have features and landmarks: others have been marginalized.
   const Map& map() const { return map_; }
 
-  /// Calls `callback` with each landmark that leaves the map from now on, to go nowhere else.
+  /// Sets the callback that is called with each landmark that is marginalized. Such a landmark
+  /// never moves again.
   void SetLandmarkCallback(LandmarkCallback callback) {
     recorder_.SetLandmarkCallback(std::move(callback));
   }
 
-  /// Calls `callback` with what each frame observed, from now on. See vo/offline/refiner.h.
+  /// Sets the callback that is called with the observations of each frame. See
+  /// vo/offline/refiner.h.
   void SetObservationCallback(ObservationCallback callback) {
     recorder_.SetObservationCallback(std::move(callback));
   }
 
   MemoryUse memory_use() const;
 
-  /// The frame processed last, with its tracks: keypoint k observes landmark `landmarks[k]` or, if
-  /// that is kNoId, none. Before the first frame, it is empty.
+  /// Returns the frame processed last, with its tracks: keypoint k observes landmark
+  /// `landmarks[k]`, or none if that is kNoId. The frame is empty before the first image.
   const Frame& last_frame() const;
 
-  /// The camera as it was given, or as it is estimated meanwhile.
+  /// Returns the current estimate of the camera, which is the given one at first.
   const Camera& camera() const { return map_.camera(); }
-  /// How far that is from what was given, and how certain it is.
+  /// Returns the camera's difference from the given one, with its covariance.
   const CameraEstimate& camera_estimate() const;
-  /// What was given; nothing is free where `calibration.enabled` is false.
+  /// Returns the given prior; no parameter is free if `calibration.enabled` is false.
   const CameraPrior& camera_prior() const;
-  /// The images do not fit the given camera within its sigmas: it is used as it was given.
+  /// Returns whether the images contradict the given camera beyond its sigmas; it is then used as
+  /// given.
   bool prior_rejected() const;
   const OdometryOptions& options() const { return options_; }
 
-  /// Of the frame processed last.
+  /// Returns the stage times of the frame processed last.
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
-  /// Brings what depends on keyframes and camera up to date with an update of the map.
+  /// Updates everything that depends on keyframes and camera after an update of the map.
   void ApplyUpdate(const MapUpdate& update);
   /// Waits for all work on the map that has been started.
   void FinishMapping();
@@ -116,9 +119,10 @@ class Odometry {
   /// anywhere.
   TrackingResult Track(Frame& frame);
   void InsertKeyframe(Frame& frame);
-  /// Ends a tracked frame: its result, its place in the trajectory, the motion to expect next.
+  /// Completes a tracked frame: its result, its place in the trajectory and the motion to expect
+  /// next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
-  /// Gives a frame that could not be located to the initializer, whose map starts a segment.
+  /// Passes a frame that could not be located to the initializer, whose map starts a segment.
   FrameResult Initialize(Frame frame, const TrackingResult& tracking);
   void StartSegment(const InitializationResult& initialization);
   /// Locates the frames after (step 1) or before (step -1) a located one, up to the next that has a
@@ -140,7 +144,7 @@ class Odometry {
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;
-  int segment_ = kNoId;  // kNoId before anything is known of any frame.
+  int segment_ = kNoId;  // kNoId until a pose or rotation is known.
   Frame previous_;       // The last posed frame.
   StageClock clock_;
 };

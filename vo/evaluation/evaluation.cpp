@@ -19,13 +19,14 @@ namespace {
 constexpr double kDegreesPerRadian = 180 / 3.14159265358979323846;
 constexpr double kMetersPerKilometer = 1000;
 
-/// Distance in time that does not overflow.
+/// Returns the distance in time without overflow.
 std::uint64_t TimeBetween(TimeNs a, TimeNs b) {
   return a > b ? static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)
                : static_cast<std::uint64_t>(b) - static_cast<std::uint64_t>(a);
 }
 
-/// Index of the pose nearest in time, the earlier of two equally near; kNoId if there is none.
+/// Returns the index of the pose nearest in time (the earlier of two equally near), or kNoId if
+/// there is none.
 int NearestInTime(const PoseSequence& poses, TimeNs time_ns) {
   if (poses.empty()) return kNoId;
   const auto later =
@@ -39,7 +40,7 @@ int NearestInTime(const PoseSequence& poses, TimeNs time_ns) {
   return earlier_is_nearer ? index - 1 : index;
 }
 
-/// As NearestInTime(), at most `max_dt_ns` away.
+/// Like NearestInTime(), but returns kNoId if the pose is more than `max_dt_ns` away.
 int NearestWithin(const PoseSequence& poses, TimeNs time_ns, TimeNs max_dt_ns) {
   const int nearest = NearestInTime(poses, time_ns);
   if (nearest == kNoId || max_dt_ns < 0) return kNoId;
@@ -48,7 +49,7 @@ int NearestWithin(const PoseSequence& poses, TimeNs time_ns, TimeNs max_dt_ns) {
   return within ? nearest : kNoId;
 }
 
-/// Positions, one a column.
+/// The positions of pairs, one in each column.
 struct Positions {
   Eigen::Matrix3Xd estimate, truth;
 };
@@ -75,8 +76,8 @@ void CheckAlignable(const Positions& positions) {
   if (all_equal(positions.truth)) throw Error("alignment: all true positions are equal");
 }
 
-/// Umeyama, "Least-squares estimation of transformation parameters between two point patterns",
-/// 1991, eq. 40-43.
+/// Aligns positions by Umeyama, "Least-squares estimation of transformation parameters between two
+/// point patterns", 1991, eq. 40-43.
 Sim3 Umeyama(const Positions& positions, bool with_scale) {
   const Eigen::Vector3d estimate_mean = positions.estimate.rowwise().mean();
   const Eigen::Vector3d truth_mean = positions.truth.rowwise().mean();
@@ -93,14 +94,14 @@ Sim3 Umeyama(const Positions& positions, bool with_scale) {
   return Sim3(scale, rotation, truth_mean - scale * (rotation * estimate_mean));
 }
 
-/// (true motion)⁻¹ (estimated motion) between two pairs.
+/// Returns (true motion)⁻¹ (estimated motion) between two pairs.
 SE3 MotionError(const PosePair& from, const PosePair& to) {
   const SE3 truth = from.truth_from_camera.Inverse() * to.truth_from_camera;
   const SE3 estimate = from.estimate_from_camera.Inverse() * to.estimate_from_camera;
   return truth.Inverse() * estimate;
 }
 
-/// Errors of the motions between pairs, given by their indices.
+/// Returns the errors of motions between pairs, which are given by their indices.
 RelativeError SummarizeMotions(const std::vector<PosePair>& pairs,
                                const std::vector<std::pair<int, int>>& motions) {
   std::vector<double> translations, rotations_deg;
@@ -112,7 +113,7 @@ RelativeError SummarizeMotions(const std::vector<PosePair>& pairs,
   return {Summarize(std::move(translations)), Summarize(std::move(rotations_deg))};
 }
 
-/// Path length from the first pair to each.
+/// Returns the path length from the first pair to each pair.
 std::vector<double> PathTo(const std::vector<PosePair>& pairs, SE3 PosePair::*pose) {
   std::vector<double> path(pairs.size(), 0);
   for (std::size_t i = 1; i < pairs.size(); ++i) {
@@ -123,11 +124,11 @@ std::vector<double> PathTo(const std::vector<PosePair>& pairs, SE3 PosePair::*po
   return path;
 }
 
-/// Sums over stretches of one length.
+/// The sums over stretches of one length.
 struct StretchSum {
   int count = 0;
-  double translation = 0;   ///< Error per length.
-  double rotation_rad = 0;  ///< Error per meter.
+  double translation = 0;   ///< Translation error per length.
+  double rotation_rad = 0;  ///< Rotation error per meter.
 
   void Add(const StretchSum& other) {
     count += other.count;

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr double kMinFrameRateHz = 1e-3;
 constexpr double kMaxFrameRateHz = 1e5;
 
-/// Levenshtein: the least number of inserted, dropped or changed characters.
+/// Returns the Levenshtein distance: the least number of inserted, dropped or changed characters.
 int EditDistance(std::string_view a, std::string_view b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -50,13 +50,13 @@ std::string Nearest(const std::string& key, const std::vector<std::string>& know
   });
 }
 
-/// "<file>:<line>: ", the line counted from 1.
+/// Returns "<file>:<line>: ", with lines counted from 1.
 std::string Where(const fs::path& file, const YAML::Mark& mark) {
   if (mark.is_null()) return fmt::format("{}: ", file.string());
   return fmt::format("{}:{}: ", file.string(), mark.line + 1);
 }
 
-/// Keys of version 0.1, with what has taken their place.
+/// Keys of version 0.1 and their replacements.
 const std::map<std::string, std::string> kMovedKeys = {
     {"bundle_adjuster.aligned_sigma_px", "measurement.aligned_sigma_px"},
     {"bundle_adjuster.keypoint_sigma_px", "measurement.keypoint_sigma_px"},
@@ -82,10 +82,11 @@ const std::map<std::string, std::string> kMovedKeys = {
     {"tracker.min_matches", "TrackerOptions::min_matches in C++"},
 };
 
-/// A mapping of a file. Keys are named in errors with their section before them.
+/// A mapping in a file. Errors name keys with their section before them.
 class Section {
  public:
-  /// `name` is empty for the file's own keys. Throws unless `node` is a mapping or empty.
+  /// `name` is empty for the file's top-level keys. Throws corvo::Error unless `node` is a mapping
+  /// or empty.
   Section(const fs::path& file, std::string name, const YAML::Node& node)
       : file_(file), name_(std::move(name)), node_(node) {
     if (node.IsMap() || node.IsNull()) return;
@@ -93,7 +94,7 @@ class Section {
                             name_.empty() ? "the file" : name_));
   }
 
-  /// Throws on a key given twice, and on one that is not among `known`.
+  /// Throws corvo::Error if a key is given twice or is not among `known`.
   void CheckKeys(const std::vector<std::string>& known) const {
     std::set<std::string> seen;
     for (const auto& entry : node_) {
@@ -110,7 +111,7 @@ class Section {
     }
   }
 
-  /// The value of a key; an undefined node where it is left out.
+  /// Returns the value of a key, or an undefined node if the key is left out.
   YAML::Node Find(const std::string& key) const {
     for (const auto& entry : node_) {
       if (entry.first.Scalar() == key) return entry.second;
@@ -118,7 +119,7 @@ class Section {
     return YAML::Node(YAML::NodeType::Undefined);
   }
 
-  /// As Find(). Throws where it is left out.
+  /// Like Find(), but throws corvo::Error if the key is left out.
   YAML::Node Require(const std::string& key) const {
     const YAML::Node value = Find(key);
     if (value.IsDefined()) return value;
@@ -129,7 +130,7 @@ class Section {
     return name_.empty() ? key : name_ + "." + key;
   }
 
-  /// "<file>:<line>: <key>", the start of an error about a key that is there.
+  /// Returns "<file>:<line>: <key>", the start of an error about a key that is in the file.
   std::string Start(const std::string& key) const {
     for (const auto& entry : node_) {
       if (entry.first.Scalar() == key) return Where(file_, entry.first.Mark()) + Named(key);
@@ -145,7 +146,7 @@ class Section {
   YAML::Node node_;
 };
 
-// Parse: the value of a plain scalar, or false where the text is not of the type.
+// Each Parse() sets the value of a plain scalar, or returns false if the text is not of the type.
 
 template <typename Number>
 requires std::integral<Number> || std::floating_point<Number>
@@ -174,7 +175,7 @@ bool Parse(std::string_view text, std::string& value) {
   return !text.empty();
 }
 
-/// What is allowed; empty where only the field's meaning tells.
+/// Returns the allowed values, or an empty string if only the field's meaning states them.
 template <typename T>
 std::string_view TypeName() {
   if constexpr (std::is_same_v<T, bool>) return "true or false";
@@ -183,7 +184,7 @@ std::string_view TypeName() {
   return "";
 }
 
-/// A scalar as YAML writes it, quoted where it has to be.
+/// Returns a scalar as YAML writes it, quoted if necessary.
 std::string Quoted(const std::string& text) {
   YAML::Emitter emitter;
   emitter << text;
@@ -197,13 +198,14 @@ std::string Print(const T& value) {
   if constexpr (std::is_arithmetic_v<T>) return fmt::format("{}", value);
 }
 
-/// A value as an error names it.
+/// Returns a value as errors print it.
 std::string Describe(const YAML::Node& node) {
   if (node.IsScalar()) return fmt::format("\"{}\"", node.Scalar());
   return node.IsNull() ? "empty" : "a list or mapping";
 }
 
-/// Reads the fields that a Visit() names from a section; those left out keep their values.
+/// Reads the fields that a Visit() names from a section; fields that are left out keep their
+/// values.
 class FieldReader {
  public:
   explicit FieldReader(const Section& section) : section_(section) {}
@@ -237,7 +239,7 @@ class FieldReader {
   const Section& section_;
 };
 
-/// Collects the names that a Visit() gives.
+/// Collects the names of the fields of a Visit().
 struct NameCollector {
   std::vector<std::string>& names;
 
@@ -282,7 +284,8 @@ std::string ReadBytes(const fs::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// The one document of a file. Throws where it cannot be read or is no YAML.
+/// Returns the one document of a file. Throws corvo::Error if the file cannot be read, is not YAML
+/// or holds more than one document.
 YAML::Node Load(const fs::path& file) {
   const std::string text = ReadBytes(file);
   try {

@@ -24,7 +24,7 @@ std::optional<Integer> ParseInteger(std::string_view text) {
   return value;
 }
 
-/// value = digits * 10^exponent
+/// A decimal number: value = digits * 10^exponent.
 struct Decimal {
   bool negative = false;
   std::string digits;
@@ -58,7 +58,8 @@ std::optional<Decimal> ParseDecimal(std::string_view text) {
   return decimal;
 }
 
-/// The integer nearest to a decimal, halves away from zero; none where it overflows.
+/// Returns the integer nearest to a decimal, with halves rounded away from zero, or std::nullopt if
+/// it overflows.
 std::optional<TimeNs> Round(Decimal decimal) {
   bool round_up = false;
   if (decimal.exponent >= 0) {

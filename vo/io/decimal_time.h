@@ -8,15 +8,16 @@
 
 namespace corvo {
 
-/// Nanoseconds of a decimal number of seconds, such as "1305031229.528748" or "1.000000e-01":
-/// exact (never through a double), rounded to the nearest where it has more than nine decimals.
-/// `where` starts the message of the corvo::Error for anything else.
+/// Returns the nanoseconds of a decimal number of seconds, e.g. "1305031229.528748" or
+/// "1.000000e-01": exact (never through a double), rounded to the nearest if there are more than
+/// nine decimals. Throws corvo::Error, whose message starts with `where`, for any other text.
 TimeNs ParseSeconds(std::string_view text, std::string_view where);
 
-/// Seconds with nine decimals, such as "1305031229.528748000"; exact.
+/// Returns seconds with nine decimals, e.g. "1305031229.528748000"; exact.
 std::string FormatSeconds(TimeNs time_ns);
 
-/// A whole number of nanoseconds.
+/// Returns a whole number of nanoseconds. Throws corvo::Error, whose message starts with `where`,
+/// for any other text.
 TimeNs ParseNanoseconds(std::string_view text, std::string_view where);
 
 }  // namespace corvo

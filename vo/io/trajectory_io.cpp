@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMaxNormError = 1e-2;
 
-/// One line of a file, split, with the start of its error messages.
+/// A line of a file, split into fields, with the start of its error messages.
 struct Row {
   std::vector<std::string> fields;
   std::string where;
@@ -41,7 +41,7 @@ void CheckCount(const Row& row, std::size_t count, std::string_view what) {
       fmt::format("{}{} fields; needed are {} ({})", row.where, row.fields.size(), count, what));
 }
 
-/// Field `first` and those after it, as numbers.
+/// Returns field `first` and the following ones as numbers.
 template <int Count>
 Eigen::Matrix<double, Count, 1> ParseNumbers(const Row& row, int first) {
   Eigen::Matrix<double, Count, 1> numbers;
@@ -56,7 +56,7 @@ SO3 ParseRotation(const Eigen::Quaterniond& quaternion, const std::string& where
                           1 - kMaxNormError, 1 + kMaxNormError));
 }
 
-/// Appends, or throws where the time does not ascend.
+/// Appends a pose. Throws corvo::Error if its time is not after that of the last pose.
 void Append(const TimedPose& pose, const std::string& where, PoseSequence& poses) {
   if (!poses.empty() && pose.time_ns <= poses.back().time_ns) {
     throw Error(fmt::format("{}time {} s does not lie after that of the pose before, {} s", where,

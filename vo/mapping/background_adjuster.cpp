@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-/// Active keyframes of the newest one's segment.
+/// Returns the number of active keyframes in the segment of the newest one.
 int CountActive(const Map& map) {
   const int segment = map.SegmentOf(map.num_keyframes() - 1);
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
@@ -16,7 +16,8 @@ int CountActive(const Map& map) {
       active.begin(), active.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
 }
 
-/// Frames between the newest keyframe and the active one before it, in its segment; or 0.
+/// Returns the number of frames from the previous active keyframe to the newest, or 0 if there is
+/// none in the segment.
 int NewestSpacing(const Map& map) {
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
   const Keyframe& newest = map.keyframe(active.back());
@@ -25,8 +26,9 @@ int NewestSpacing(const Map& map) {
   return before.segment == newest.segment ? newest.frame.index - before.frame.index : 0;
 }
 
-/// Short where keyframes follow each other fast: what they observe is lost before it is adjusted,
-/// and with it the scale.
+/// Returns the latency of a window's adjustment. It is short if keyframes follow each other
+/// quickly: otherwise their landmarks would be lost before they are adjusted, and the scale with
+/// them.
 int WindowLatency(const Map& map, const BundleAdjusterOptions& options) {
   return std::clamp(NewestSpacing(map) - 1, options.min_latency_frames, options.max_latency_frames);
 }
@@ -58,7 +60,7 @@ void BackgroundAdjuster::StartLastCalibration(int frame, const Map& map) {
 UsedAdjustments BackgroundAdjuster::UseResults(int frame, Map& map) {
   UsedAdjustments used;
   const bool calibrates = calibration_.IsDue(frame);
-  // A window that is under way belongs to the camera and the map before the calibration.
+  // A window in progress refers to the camera and the map before the calibration.
   if (window_.IsDue(frame) || (calibrates && window_.IsRunning())) used.window = UseWindow(map);
   if (calibrates) used.camera = UseCalibration(map);
   return used;
@@ -119,7 +121,7 @@ AdjustmentStatus BackgroundAdjuster::UseCalibration(Map& map) {
   const Camera camera(prior_.Apply(estimate_.difference));
   if (camera != map.camera()) {
     map.SetCamera(camera);
-    newest_ = kNoId;  // The newest keyframes have to be adjusted to it.
+    newest_ = kNoId;  // The newest keyframes must be adjusted to the new camera.
   }
   return result.summary.status;
 }

@@ -12,30 +12,31 @@
 
 namespace corvo {
 
-/// Adjusts a map on threads of its own, beside the frames that follow: the window of each new
-/// keyframe and, whenever the number of keyframes has grown by a factor, the newest keyframes and
-/// the camera with them. One of each at a time. Their results are used at fixed frames, however
-/// long they took, so that the same frames find the same map.
+/// Adjusts a map on threads of its own, in parallel to the following frames: the window of each new
+/// keyframe and, whenever the number of keyframes has grown by a factor, the newest keyframes
+/// together with the camera. At most one adjustment of each kind runs at a time. Results are
+/// applied at fixed frames, however long they took, so that the map does not depend on timing.
 class BackgroundAdjuster {
  public:
-  /// Throws corvo::Error on a prior that is not valid.
+  /// Throws corvo::Error if the prior is invalid.
   BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options);
 
-  /// Starts to adjust around the newest keyframe, after a frame, if that has not been started and
-  /// the result of the previous adjustment has been used.
+  /// Starts an adjustment around the newest keyframe after `frame`, unless that has been started
+  /// already or the result of the previous adjustment has not been applied.
   void Start(int frame, const Map& map);
 
-  /// Starts an estimate of the camera after the last frame, if there are keyframes that none has
-  /// used. The result of the previous one has been used.
+  /// Starts an estimate of the camera after the last frame, if there are keyframes that no estimate
+  /// has used. The result of the previous one must have been applied.
   void StartLastCalibration(int frame, const Map& map);
 
-  /// Gives the map the results that are due before a frame, waiting for them: poses, points and the
-  /// camera.
+  /// Waits for the results that are due before `frame` and applies them to the map: poses, points
+  /// and the camera.
   UsedAdjustments UseResults(int frame, Map& map);
 
   const CameraEstimate& camera_estimate() const { return estimate_; }
   const CameraPrior& camera_prior() const { return prior_; }
-  /// The images do not fit the given camera within its sigmas: it is used as it was given.
+  /// Returns whether the images contradict the given camera beyond its sigmas; it is then used as
+  /// given.
   bool prior_rejected() const { return prior_rejected_; }
 
  private:
@@ -43,7 +44,7 @@ class BackgroundAdjuster {
     Bundle bundle;
     AdjustmentSummary summary;
   };
-  /// Under way while the result is valid.
+  /// An adjustment, in progress while `result` is valid.
   struct Job {
     std::future<Result> result;
     int due_frame = 0;
@@ -52,7 +53,7 @@ class BackgroundAdjuster {
     bool IsDue(int frame) const { return IsRunning() && frame >= due_frame; }
   };
 
-  /// Keyframes of a segment at which the camera is estimated next.
+  /// Returns the number of keyframes of a segment at which the camera is estimated next.
   int NextCalibration() const;
   void StartWindow(int frame, const Map& map);
   void StartCalibration(int frame, const Map& map);
@@ -63,10 +64,10 @@ class BackgroundAdjuster {
   OdometryOptions options_;
   Job window_;
   Job calibration_;
-  KeyframeId newest_ = kNoId;  // Whose window was adjusted last, with the camera as it is now.
+  KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
   CameraEstimate estimate_;
-  int num_calibrated_ = 0;                // Keyframes in the newest estimate.
-  KeyframeId newest_calibrated_ = kNoId;  // The newest of these.
+  int num_calibrated_ = 0;                // Number of keyframes in the newest estimate.
+  KeyframeId newest_calibrated_ = kNoId;  // Newest keyframe in that estimate.
   bool prior_rejected_ = false;
 };
 

@@ -18,8 +18,8 @@ Verdict Judge(const Landmark& landmark, int num_keyframes, const CullingOptions&
   return age >= options.num_probation_keyframes ? Verdict::kAccepted : Verdict::kOnProbation;
 }
 
-/// Whether enough other keyframes observe a landmark in the same or a finer octave (one coarser
-/// counts as the same).
+/// Returns whether enough other keyframes observe a landmark in the same or a finer octave (one
+/// octave coarser counts as the same).
 bool IsRedundant(const Map& map, const Landmark& landmark, const TrackElement& observation,
                  int num_observers) {
   const int octave = map.keyframe(observation.keyframe).frame.keypoint(observation.keypoint).octave;

@@ -12,9 +12,9 @@
 namespace corvo {
 namespace {
 
-constexpr double kCellPx = 24;  // Side of a grid cell: a matter of speed alone.
+constexpr double kCellPx = 24;  // Side of a grid cell; affects only the speed.
 
-/// Matches the keypoints of one frame with those of another whose pose relative to it is known.
+/// Matches the keypoints of one frame with those of another with a known relative pose.
 class EpipolarMatcher {
  public:
   EpipolarMatcher(const Frame& first, const Frame& second, const MeasurementModel& model,
@@ -40,11 +40,11 @@ class EpipolarMatcher {
   }
 
  private:
-  /// A keypoint of the first frame in the second camera.
+  /// A keypoint of the first frame, expressed in the second camera.
   struct Query {
-    Eigen::Vector3d direction;  // Of its ray, which is `direction * depth + origin`, ...
-    Eigen::Vector3d origin;     // ... with the depth in the first camera.
-    int axis = 0;               // The image axis along which its epipolar segment is longer.
+    Eigen::Vector3d direction;  // Direction of the keypoint's ray, for depth 1 in the first camera.
+    Eigen::Vector3d origin;     // Center of the first camera.
+    int axis = 0;               // Image axis along which the epipolar segment is longer.
     double octave_scale = 1;
   };
 
@@ -63,10 +63,10 @@ class EpipolarMatcher {
     return orb::FindNearestAmong(first_.descriptors[i], second_.descriptors, {near.begin(), last});
   }
 
-  /// The image of a ray from the least depth to infinity. None where it does not end in front of
-  /// the second camera.
+  /// Returns the image of a ray from the least depth to infinity, or std::nullopt if the ray does
+  /// not end in front of the second camera.
   std::optional<EpipolarSegment> ProjectRay(const Query& query) const {
-    constexpr double kMinZ = 1e-3;  // Of a ray of length 1.
+    constexpr double kMinZ = 1e-3;  // Least z in the second camera, per unit of depth in the first.
     if (query.direction.z() < kMinZ) return std::nullopt;
     const double in_front = (kMinZ * options_.min_depth - query.origin.z()) / query.direction.z();
     const Eigen::Vector3d nearest =
@@ -75,9 +75,9 @@ class EpipolarMatcher {
     return EpipolarSegment{nearest.hnormalized(), query.direction.hnormalized(), {}};
   }
 
-  /// Whether a query and a keypoint may observe one point: the point where the rays meet lies in
-  /// front of both cameras, and the nearer camera has it in the coarser octave. Nearly parallel
-  /// rays meet anywhere.
+  /// Returns whether a query and a keypoint may observe the same point: their rays meet in front of
+  /// both cameras, and the octave is coarser in the nearer camera. Nearly parallel rays meet
+  /// anywhere.
   bool MayBeOnePoint(const Query& query, int candidate) const {
     const double place = (query.axis == 0 ? second_.x : second_.y)[candidate];
     const double slope = place * query.direction.z() - query.direction[query.axis];

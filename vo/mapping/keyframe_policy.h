@@ -7,22 +7,22 @@
 
 namespace corvo {
 
-/// What the images say about the need for a keyframe.
+/// The evidence from the images for the need of a keyframe.
 struct KeyframeEvidence {
-  int num_keypoints = 0;  ///< Of the frame.
-  int num_tracked = 0;    ///< Of them, those that observe landmarks.
-  /// Established landmarks of the keyframe that shares most with the frame: those that at least
-  /// three keyframes observe, or two while the segment has no more keyframes.
+  int num_keypoints = 0;  ///< Keypoints of the frame.
+  int num_tracked = 0;    ///< Keypoints of the frame that observe landmarks.
+  /// Established landmarks of the keyframe that shares most with the frame: those observed by at
+  /// least three keyframes, or by two while the segment has only two.
   int num_reference = 0;
 };
 
-/// The evidence for a frame that was tracked in the map.
+/// Returns the evidence for a frame that was tracked in the map.
 KeyframeEvidence CollectEvidence(const Map& map, const Frame& frame);
 
-/// A keyframe is due when the frame observes clearly less than the nearest keyframe, or little:
-/// where few landmarks live long enough to be established, as in a fast turn, the former alone
-/// would wait until the track is lost. Depends on nothing but image evidence: not on time, nor on
-/// what other threads are doing.
+/// Returns whether a keyframe is due: the frame observes clearly fewer landmarks than the nearest
+/// keyframe, or few for its number of keypoints. If few landmarks live long enough to be
+/// established, as in a fast turn, the former alone would wait until tracking is lost. Depends only
+/// on image evidence, not on time or on other threads.
 bool NeedsKeyframe(const KeyframeEvidence& evidence, const KeyframeOptions& options);
 
 }  // namespace corvo

@@ -42,7 +42,7 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
   return in_world;
 }
 
-/// Depths of the landmarks that a frame observes.
+/// Returns the depths of the landmarks that a frame observes.
 std::vector<double> Depths(const Map& map, const Frame& frame) {
   const SE3 camera_from_world = frame.world_from_camera.Inverse();
   std::vector<double> depths;
@@ -52,7 +52,7 @@ std::vector<double> Depths(const Map& map, const Frame& frame) {
   return depths;
 }
 
-/// The depth in front of which no new landmark is expected.
+/// Returns the depth below which no new landmark is expected.
 double LeastDepth(std::vector<double> depths, const LandmarkOptions& options) {
   if (depths.empty()) return 0;
   const auto rank =
@@ -62,8 +62,9 @@ double LeastDepth(std::vector<double> depths, const LandmarkOptions& options) {
   return options.min_depth_share * *near;
 }
 
-/// The most covisible keyframes that are far enough away for their depth, the farthest first: what
-/// can be triangulated over a long baseline is not triangulated over a short one.
+/// Returns the most covisible keyframes whose baseline is long enough for their depth, the farthest
+/// first: points that can be triangulated over a long baseline are not triangulated over a short
+/// one.
 std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe,
                                       const LandmarkOptions& options) {
   std::vector<std::pair<double, KeyframeId>> by_distance;
@@ -81,8 +82,8 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe,
   return neighbors;
 }
 
-/// Adds the point of a match between two keyframes as a landmark, triangulated again after its
-/// second keypoint was aligned with the first. Returns whether there is such a point.
+/// Triangulates a match between two keyframes, adds the point as a landmark and triangulates it
+/// again after aligning the second keypoint with the first. Returns whether a landmark was added.
 bool CreateLandmark(const TrackElement& first, const TrackElement& second, double min_parallax,
                     Map& map) {
   const View a{map.keyframe(first.keyframe).frame, first.keypoint};

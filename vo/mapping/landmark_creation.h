@@ -7,9 +7,9 @@
 namespace corvo {
 
 /// Matches keypoints that observe no landmark between a keyframe and its covisible keyframes along
-/// epipolar lines, triangulates them and adds the points that lie in front of both, with enough
-/// parallax, a small reprojection error in both and octaves that agree with the distances. Returns
-/// the number of new landmarks.
+/// epipolar lines, triangulates them and adds the points that lie in front of both cameras, with
+/// enough parallax, a small reprojection error in both images and octaves consistent with the
+/// distances. Returns the number of new landmarks.
 int CreateLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
                     Map& map);
 

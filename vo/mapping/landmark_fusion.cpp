@@ -18,7 +18,7 @@ bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
                      [&](const TrackElement& o) { return o.keyframe == keyframe; });
 }
 
-/// Merges two landmarks into the one with more observations (the older of equals).
+/// Merges two landmarks into the one with more observations (the older one if equal).
 LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
   const std::size_t num_a = map.FindLandmark(a)->track.size();
   const std::size_t num_b = map.FindLandmark(b)->track.size();
@@ -28,7 +28,7 @@ LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
   return merge;
 }
 
-/// Fuses landmarks with what one keyframe after the other observes.
+/// Fuses landmarks with those observed by keyframes, one keyframe at a time.
 class LandmarkFuser {
  public:
   LandmarkFuser(const LandmarkOptions& options, int max_distance, Map& map)
@@ -65,7 +65,8 @@ class LandmarkFuser {
     return SquaredError(in_camera, observation, map_.camera()) <= kChiSquare2Dof95;
   }
 
-  /// Makes a keypoint observe a landmark, merged with the one that it observes, if they agree.
+  /// Makes a keypoint observe a landmark, if they are consistent. If the keypoint already observes
+  /// another landmark, the two are merged.
   void FuseKeypoint(LandmarkId id, const TrackElement& element) {
     const Landmark* landmark = map_.FindLandmark(id);
     if (landmark == nullptr || IsObservedBy(*landmark, element.keyframe)) return;

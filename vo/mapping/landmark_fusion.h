@@ -9,14 +9,14 @@
 namespace corvo {
 
 struct FusedLandmarks {
-  int num_fused = 0;  ///< Merges and new observations.
+  int num_fused = 0;  ///< Number of merges and new observations.
   std::vector<LandmarkMerge> merges;
 };
 
-/// Fuses what a keyframe and its covisible keyframes have twice: the landmarks of each are
-/// projected into the other. Where the keypoint with the nearest descriptor observes another
-/// landmark, the two are merged into the one with more observations; where it observes none, it
-/// becomes an observation.
+/// Fuses duplicate landmarks of a keyframe and its covisible keyframes: the landmarks of each are
+/// projected into the other. If the keypoint with the nearest descriptor observes another landmark,
+/// the two are merged into the one with more observations; if it observes none, it becomes an
+/// observation.
 FusedLandmarks FuseLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
                              Map& map);
 

@@ -16,7 +16,8 @@ Mapper::Mapper(const CameraPrior& prior, const OdometryOptions& options)
 KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Frame& first,
                                     Frame& second, Map& map) {
   second.world_from_camera = first.world_from_camera * initial.first_from_second;
-  first.landmarks.assign(first.landmarks.size(), kNoId);  // It may be of the segment before.
+  // The first frame may have landmarks of the previous segment.
+  first.landmarks.assign(first.landmarks.size(), kNoId);
   const KeyframeId first_id = map.AddKeyframe(first, segment);
   const KeyframeId second_id = map.AddKeyframe(second, segment);
   for (const InitialPoint& point : initial.points) {

@@ -13,63 +13,67 @@
 
 namespace corvo {
 
-/// What an update of the map changed, for those who keep poses relative to its keyframes.
+/// The changes in an update of the map, for users that store poses relative to its keyframes.
 struct MapUpdate {
   UsedAdjustments adjustments;     ///< If any, poses, points and the camera may have changed.
-  std::vector<KeyframeId> culled;  ///< In ascending order.
+  std::vector<KeyframeId> culled;  ///< Culled keyframes in ascending order.
 };
 
-/// Extends a map by keyframes and landmarks, adjusts it and removes from it what is of no more use.
-/// Adjustments run beside the frames that follow; their results are used at fixed frames, so that
-/// they do not depend on the speed of the machine.
+/// Extends a map by keyframes and landmarks, adjusts it and removes what is no longer useful.
+/// Adjustments run in parallel to the following frames. Their results are applied at fixed frames,
+/// so that the map does not depend on the speed of the machine.
 class Mapper {
  public:
-  /// Throws corvo::Error on a prior that is not valid.
+  /// Throws corvo::Error if the prior is invalid.
   Mapper(const CameraPrior& prior, const OdometryOptions& options);
 
   /// Makes two frames the first keyframes of a segment, with landmarks at the points of an initial
-  /// map in the unit of the segment. The first frame has its pose; the second one gets it.
-  /// Returns the first keyframe; the second is the next one.
+  /// map in the unit of the segment. The first frame must have its pose; that of the second is set.
+  /// Returns the first keyframe; the id of the second is one higher.
   KeyframeId InsertInitialMap(const InitialMap& initial, int segment, Frame& first, Frame& second,
                               Map& map);
 
   /// Makes a tracked frame a keyframe, culls landmarks that failed their probation and creates
-  /// those that the keyframe observes. Update fuses them, so that no frame waits for both.
+  /// landmarks that the keyframe observes. Returns the keyframe. Update() fuses the landmarks, so
+  /// that no single frame waits for both.
   KeyframeId InsertKeyframe(Frame& frame, int segment, Map& map);
 
-  /// The work of one frame: uses the results of adjustments that are due, culls and marginalizes
-  /// keyframes, fuses landmarks around the newest keyframe and starts the next adjustment.
+  /// Does the work of one frame: applies the results of adjustments that are due, culls and
+  /// marginalizes keyframes, fuses landmarks around the newest keyframe and starts the next
+  /// adjustment.
   MapUpdate Update(int frame, Map& map, ObservationRecorder& recorder, StageClock& clock);
 
-  /// Finishes all work that has been started, waiting for it.
+  /// Waits for all work that has been started and applies its results.
   MapUpdate Finish(Map& map, ObservationRecorder& recorder, StageClock& clock);
 
-  /// Starts an adjustment around the newest keyframe, if it has had none with the present camera.
+  /// Starts an adjustment around the newest keyframe, unless one with the current camera was
+  /// started.
   void StartAdjustment(int frame, const Map& map) { adjuster_.Start(frame, map); }
-  /// Starts an estimate of the camera after the last frame, if newer keyframes have not been used.
+  /// Starts an estimate of the camera after the last frame, if there are keyframes that no estimate
+  /// has used.
   void StartLastCalibration(int frame, const Map& map) {
     adjuster_.StartLastCalibration(frame, map);
   }
 
-  /// Marginalizes the keyframes that nothing searches any more.
+  /// Marginalizes the keyframes that are no longer searched.
   void Marginalize(Map& map, const ObservationRecorder& recorder) const;
 
-  /// How far the camera is from what was given, and how certain it is.
+  /// Returns the camera's difference from the given one, with its covariance.
   const CameraEstimate& camera_estimate() const { return adjuster_.camera_estimate(); }
   const CameraPrior& camera_prior() const { return adjuster_.camera_prior(); }
-  /// Whether the images do not fit the given camera within its standard deviations.
+  /// Returns whether the images contradict the given camera beyond its standard deviations.
   bool prior_rejected() const { return adjuster_.prior_rejected(); }
 
  private:
   MapUpdate UseAdjustments(int frame, Map& map, const ObservationRecorder& recorder,
                            StageClock& clock);
-  /// Fuses landmarks around the newest keyframe, if that has not been done.
+  /// Fuses landmarks around the newest keyframe, unless that has been done.
   void FuseLandmarks(Map& map, ObservationRecorder& recorder);
 
   OdometryOptions options_;
   BackgroundAdjuster adjuster_;
-  KeyframeId unfused_ = kNoId;         // The keyframe around which landmarks are to be fused.
-  std::vector<LandmarkId> probation_;  // New landmarks, which have to prove themselves.
+  KeyframeId unfused_ = kNoId;         // Keyframe around which landmarks are yet to be fused.
+  std::vector<LandmarkId> probation_;  // New landmarks that are on probation.
 };
 
 }  // namespace corvo

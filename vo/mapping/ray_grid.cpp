@@ -103,7 +103,7 @@ int RayGrid::AppendNear(const Eigen::Vector3d& line, int begin, int end, std::ve
   const double squared_norm = line.head<2>().squaredNorm();
   for (int i = begin; i < end; ++i) {
     const double distance = line.x() * points_.x[i] + line.y() * points_.y[i] + line.z();
-    buffer[count] = i;  // Stays if the point is near, and is overwritten otherwise.
+    buffer[count] = i;  // The entry stays if the point is near, and is overwritten otherwise.
     count += distance * distance <= max_squared_distances_[i] * squared_norm;
   }
   return count;

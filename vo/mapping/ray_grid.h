@@ -14,11 +14,11 @@ namespace corvo {
 
 /// The keypoints of a frame that observe no landmark, as arrays for the inner loops.
 struct UnmatchedKeypoints {
-  std::vector<int> index;  ///< In the frame.
+  std::vector<int> index;  ///< Keypoint indices in the frame.
   std::vector<orb::Descriptor> descriptors;
-  std::vector<double> x;  ///< Of the rays.
-  std::vector<double> y;
-  std::vector<double> variances;  ///< Of a ray along each axis.
+  std::vector<double> x;          ///< x/z of the rays.
+  std::vector<double> y;          ///< y/z of the rays.
+  std::vector<double> variances;  ///< Variances of the rays along each axis.
   std::vector<double> octave_scales;
 
   int size() const { return static_cast<int>(index.size()); }
@@ -33,18 +33,18 @@ struct EpipolarSegment {
   Eigen::Vector3d line;  ///< (a, b, c).
 };
 
-/// Finds the rays near a segment with the cells of a grid.
+/// A grid of cells that finds the rays near a segment.
 class RayGrid {
  public:
   /// `cell_size` is the side of a cell, in units of rays.
   RayGrid(UnmatchedKeypoints points, double cell_size);
 
-  /// The points, sorted by cell.
+  /// Returns the points, sorted by cell.
   const UnmatchedKeypoints& points() const { return points_; }
 
-  /// Indices of the points within the 95% quantile of their distance from the segment's line, in
-  /// the cells around the segment. They are stored in `buffer`, which has room for one more than
-  /// all points.
+  /// Returns the indices of the points that lie within the 95% quantile of their distance from the
+  /// segment's line, in the cells around the segment. The indices are stored in `buffer`, which
+  /// must have room for one more than all points.
   std::span<int> Find(const EpipolarSegment& segment, std::vector<int>& buffer) const;
 
  private:
@@ -58,8 +58,8 @@ class RayGrid {
                  int count) const;
 
   UnmatchedKeypoints points_;
-  std::vector<double> max_squared_distances_;  // From a line, for each point.
-  double margin_ = 0;                          // The largest distance.
+  std::vector<double> max_squared_distances_;  // Largest from a line, by point.
+  double margin_ = 0;                          // Largest distance of any point from a line.
   double cell_size_;
   double cells_per_unit_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();

@@ -12,21 +12,21 @@
 
 namespace corvo {
 
-/// A way to describe a camera of which nothing is known.
+/// A camera model for a camera of unknown calibration.
 enum class CalibrationModel {
   kPinhole,  ///< Without distortion.
   kRadtan,   ///< Pinhole with k1, k2, p1 and p2.
-  kKb4,      ///< As CameraModel::kKb4.
-  kFov,      ///< As CameraModel::kFov.
+  kKb4,      ///< CameraModel::kKb4.
+  kFov,      ///< CameraModel::kFov.
 };
 
-/// "pinhole", "radtan", "kb4" or "fov".
+/// Returns "pinhole", "radtan", "kb4" or "fov".
 std::string_view ToString(CalibrationModel model);
 
-/// All of them, the one with the fewest parameters first.
+/// Returns all models, in ascending order of their number of parameters.
 std::vector<CalibrationModel> AllCalibrationModels();
 
-/// What lenses have, and when a model is rejected.
+/// Options of PriorOf(), AdjustCandidate() and SelectCandidate().
 struct CandidateOptions {
   double center_sigma_share = 0.02;  // ablation
   double radial_sigma = 0.3;         // |k1| of the benchmark cameras is at most 0.28.
@@ -55,33 +55,33 @@ struct CandidateOptions {
   void Validate() const;
 };
 
-/// What is known of a camera of this model before its images are seen, besides a start: of the
-/// focal length nothing, of the principal point that it lies near the image's center, of its
-/// distortion that it is not beyond what lenses have. Pixels are square: fx and fy keep their
-/// ratio.
+/// Returns the prior of a camera of this model, given a start: the focal length is unknown, the
+/// principal point lies near the image center, and the distortion is within that of common lenses.
+/// fx and fy keep their ratio.
 CameraPrior PriorOf(CalibrationModel model, const Camera& start,
                     const CandidateOptions& options = {});
 
-/// Bundles adjusted with a camera of this model.
+/// A camera model and the bundles adjusted with it.
 struct CameraCandidate {
   CalibrationModel model = CalibrationModel::kPinhole;
   CameraPrior prior;
   AdjustmentSummary adjustment;
-  std::vector<Bundle> bundles;  ///< As they were, unless the adjustment is usable.
+  std::vector<Bundle> bundles;  ///< Unchanged unless the adjustment is usable.
   /// Bayesian information criterion (Schwarz 1978), k ln(n) + 2 cost, with k free parameters and n
-  /// coordinates; infinite unless the adjustment is usable.
+  /// coordinates; infinity unless the adjustment is usable.
   double information_criterion = 0;
 };
 
-/// Adjusts bundles that one camera has seen, from a start on, with a camera of this model. See
-/// BundleAdjuster. Throws corvo::Error on options out of range.
+/// Adjusts bundles that were observed by one camera, from a start, with a camera of this model. See
+/// BundleAdjuster. Throws corvo::Error if an option is out of range.
 CameraCandidate AdjustCandidate(CalibrationModel model, const Camera& start,
                                 const std::vector<Bundle>& bundles,
                                 const CandidateOptions& options = {},
                                 const AdjustmentProgress& progress = {});
 
-/// The index of the candidate with the fewest parameters of those whose information criterion is
-/// within `max_excess` of the lowest. kNoId where no candidate has a usable adjustment.
+/// Returns the index of the candidate with the fewest parameters among those whose information
+/// criterion is within `max_excess` of the lowest, or kNoId if no candidate has a usable
+/// adjustment.
 int SelectCandidate(const std::vector<CameraCandidate>& candidates,
                     const CandidateOptions& options = {});
 

@@ -47,7 +47,7 @@ std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches, doub
   return fundamental;
 }
 
-/// In units of the match's sigma.
+/// Returns the Sampson error of a match in units of its sigma.
 double SampsonError(const Eigen::Matrix3d& fundamental, const PixelMatch& match) {
   const Eigen::Vector3d in_second = fundamental * match.first.homogeneous();
   const Eigen::Vector3d in_first = fundamental.transpose() * match.second.homogeneous();
@@ -56,14 +56,14 @@ double SampsonError(const Eigen::Matrix3d& fundamental, const PixelMatch& match)
   return std::abs(match.second.homogeneous().dot(in_second)) / (norm * match.sigma);
 }
 
-/// A pair without its wrong matches; pixels are counted from the image's center.
+/// The inlier matches of a pair, with pixels relative to the image center.
 struct Pair {
   PixelMatches matches;
   Eigen::Matrix3d fundamental;
   double noise = 0;  // Median Sampson error as a standard deviation, in units of the sigmas.
 };
 
-/// A pair with enough matches that agree with one fundamental matrix.
+/// Returns a pair, or std::nullopt unless enough matches agree with one fundamental matrix.
 std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d& center,
                              const FocalSearchOptions& options) {
   constexpr double kNormalFromMedian = 1.4826;
@@ -90,8 +90,8 @@ std::optional<Pair> MakePair(const PixelMatches& matches, const Eigen::Vector2d&
   return pair;
 }
 
-/// The nearest motion to the essential matrix of a focal length (Hartley and Zisserman, 9.6.2);
-/// which of its four does not matter to epipolar lines.
+/// Returns the motion nearest to the essential matrix of a focal length (Hartley and Zisserman,
+/// 9.6.2). The choice among its four motions does not affect epipolar lines.
 EpipolarMotion MotionOf(const Eigen::Matrix3d& fundamental, double focal) {
   const Eigen::DiagonalMatrix<double, 3> calibration(focal, focal, 1);
   const Eigen::Matrix3d essential = calibration * fundamental * calibration;
@@ -118,8 +118,8 @@ void Improve(EpipolarFit fit, EpipolarFit& best) {
   if (fit.cost < best.cost) best = std::move(fit);
 }
 
-/// Adds the squared distance of a match's first ray, turned, from its second, in units of its
-/// sigma, under Cauchy's loss; a step ω makes R to Exp(ω) R.
+/// Adds the squared distance of a match's rotated first ray from its second, in units of its sigma,
+/// under Cauchy's loss. A step ω updates R to Exp(ω) R.
 void AddTransferError(const RayMatch& match, const SO3& rotation, NormalEquations<3>& equations) {
   const Eigen::Vector3d turned = rotation * match.first.homogeneous();
   if (turned.z() <= 0) return;
@@ -135,7 +135,8 @@ void AddTransferError(const RayMatch& match, const SO3& rotation, NormalEquation
   equations.gradient += weight * by_step.transpose() * error;
 }
 
-/// The least robust transfer error of a rotation: of both axes, where FitEpipolarMotion has one.
+/// Returns the least robust transfer error of a rotation. It has two components for each match,
+/// that of FitEpipolarMotion() only one.
 double RotationCost(const std::vector<RayMatch>& matches) {
   constexpr int kMaxIterations = 10;
   const auto build = [&](const SO3& rotation) {
@@ -149,7 +150,7 @@ double RotationCost(const std::vector<RayMatch>& matches) {
   return MinimizeLevenbergMarquardt<3>(EstimateRotation(matches), build, plus, kMaxIterations).cost;
 }
 
-/// Costs of one pair over focal lengths that neighbor one another.
+/// Returns the costs of one pair explained by a rotation, one for each focal length.
 std::vector<double> RotationCosts(const Pair& pair, const std::vector<double>& focals,
                                   double noise) {
   std::vector<double> costs;
@@ -159,8 +160,9 @@ std::vector<double> RotationCosts(const Pair& pair, const std::vector<double>& f
   return costs;
 }
 
-/// Every focal length starts from the fundamental matrix and from the best motions beside it, so
-/// that none stays in a minimum of its own.
+/// Returns the costs of one pair explained by a motion, one for each focal length. Each fit starts
+/// from the fundamental matrix and from the best motions of the neighboring focal lengths, so that
+/// none stays in a local minimum of its own.
 std::vector<double> EpipolarCosts(const Pair& pair, const std::vector<double>& focals,
                                   double noise) {
   std::vector<EpipolarFit> fits;
@@ -179,14 +181,15 @@ std::vector<double> EpipolarCosts(const Pair& pair, const std::vector<double>& f
   return costs;
 }
 
-/// A rotation costs two errors a match and no depth, a motion one and a depth: of matches without
-/// parallax the rotation's robust cost is higher by 0.39 each, and parallax of one sigma adds 0.3.
+/// Returns whether a rotation explains a pair better than a motion. A rotation costs two errors for
+/// each match and no depth, a motion one error and a depth: for matches without parallax the robust
+/// cost of the rotation is higher by 0.39 each, and parallax of one sigma adds 0.3.
 bool IsRotation(double rotation_cost, double epipolar_cost, std::size_t num_matches,
                 double max_excess) {
   return rotation_cost < epipolar_cost + max_excess * static_cast<double>(num_matches);
 }
 
-/// A pair's costs over the focal lengths, by the model that explains it.
+/// Returns a pair's costs over the focal lengths, by the model that explains the pair.
 std::vector<double> PairCosts(const Pair& pair, const std::vector<double>& focals, double noise,
                               double max_rotation_excess) {
   std::vector<double> epipolar = EpipolarCosts(pair, focals, noise);
@@ -198,7 +201,7 @@ std::vector<double> PairCosts(const Pair& pair, const std::vector<double>& focal
   return is_rotation ? rotation : epipolar;
 }
 
-/// Costs by pair and focal length.
+/// The costs by pair and focal length.
 struct Sweep {
   std::vector<double> focals;  // In geometric steps, descending.
   std::vector<std::vector<double>> costs;
@@ -225,16 +228,16 @@ std::vector<double> GeometricSteps(double first, double last, int count) {
   return steps;
 }
 
-/// Of a fine sweep: where the parabola through the costs around the best has its minimum, and how
-/// surely.
+/// The minimum of the parabola through the costs around the best focal length of a fine sweep.
 struct Peak {
   double focal = 0;
-  double variance = std::numeric_limits<double>::infinity();  // Of log focal.
-  double inflation = 1;  // Of the variance over what the noise of the pixels makes of it.
+  double variance = std::numeric_limits<double>::infinity();  // Variance of log focal.
+  double inflation = 1;  // Ratio of the variance to that caused by pixel noise.
 };
 
-/// The variance is the larger of 2 / H, of a cost that is χ², and of Σ g² / H² over the slopes g of
-/// the pairs at the common minimum (White's sandwich), H the second derivative.
+/// Returns the peak of a sweep. Its variance is the larger of 2 / H, for a cost that is χ², and
+/// Σ g² / H² over the slopes g of the pairs at the common minimum (White's sandwich), where H is
+/// the second derivative.
 Peak FindPeak(const Sweep& sweep) {
   const std::size_t best = sweep.Best();
   Peak peak{sweep.focals[best]};
@@ -260,9 +263,9 @@ Peak FindPeak(const Sweep& sweep) {
   return peak;
 }
 
-/// Variance of log focal around `focal` over the whole sweep, its costs taken as χ² of pairs that
-/// contradict one another by `inflation`: it sees other minima and flat sides, which the curvature
-/// does not.
+/// Returns the variance of log focal around `focal` over the whole sweep, its costs taken as χ² of
+/// pairs that are inconsistent by the factor `inflation`. Unlike the curvature, it reflects other
+/// minima and flat sides.
 double SpreadVariance(const Sweep& sweep, double focal, double inflation) {
   const double least = sweep.Total(sweep.Best());
   double sum = 0, weights = 0;
@@ -284,15 +287,15 @@ CameraParameters CenteredPinhole(double focal, int width, int height) {
   return camera;
 }
 
-/// Both sweeps over the focal lengths.
+/// The coarse and the fine sweep over the focal lengths.
 class FocalSearch {
  public:
-  /// Of at least one pair.
+  /// `pairs` must not be empty.
   FocalSearch(std::vector<Pair> pairs, const FocalSearchOptions& options)
       : pairs_(std::move(pairs)), options_(options) {
     std::vector<double> noises;
     for (const Pair& pair : pairs_) noises.push_back(pair.noise);
-    constexpr double kMinNoise = 1e-3;  // Exact matches.
+    constexpr double kMinNoise = 1e-3;  // For exact matches.
     noise_ = std::max(kMinNoise, Median(std::move(noises)));
   }
 

@@ -10,14 +10,15 @@
 
 namespace corvo {
 
-/// The same point in two images of one camera, and its standard deviation in each; px.
+/// A point observed in two images of one camera; px.
 struct PixelMatch {
   Eigen::Vector2d first;
   Eigen::Vector2d second;
-  double sigma = 1;  ///< Of either pixel, each axis, but for a factor that all matches share.
+  double sigma = 1;  ///< Standard deviation of both pixels along each axis, up to a factor common
+                     ///< to all matches.
 };
 
-/// One pair of images.
+/// The matches of one pair of images.
 using PixelMatches = std::vector<PixelMatch>;
 
 /// A focal length that was tried.
@@ -27,18 +28,18 @@ struct FocalCandidate {
   double cost = 0;     ///< Robust χ² of all pairs.
 };
 
-/// What images without a calibration tell of their camera.
+/// The camera estimated from images without a calibration.
 struct FocalSearchResult {
   CameraParameters camera;  ///< Pinhole, fx = fy, principal point in the center, no distortion.
-  /// Standard deviation of the focal length as a share of it; infinity where the pairs tell
-  /// nothing.
+  /// Standard deviation of the focal length as a share of it; infinity if the pairs do not
+  /// constrain it.
   double focal_sigma = std::numeric_limits<double>::infinity();
   bool is_determined = false;         ///< The cost has one clear minimum inside the sweep.
-  int num_pairs = 0;                  ///< That had enough matches.
+  int num_pairs = 0;                  ///< Number of pairs with enough matches.
   std::vector<FocalCandidate> sweep;  ///< From the longest focal length to the shortest.
 };
 
-/// How a focal length is searched for; see SearchFocal.
+/// Options of SearchFocal().
 struct FocalSearchOptions {
   double min_fov_deg = 25;
   double max_fov_deg = 120;
@@ -81,17 +82,17 @@ struct FocalSearchOptions {
   void Validate() const;
 };
 
-/// The focal length of the pinhole camera that explains pairs of images best: a sweep over
-/// horizontal fields of view, and a finer one around the best. The cost of a
-/// pair is that of the best motion that the focal length allows: the robust Sampson error of an
-/// essential matrix or, where the camera did not move but turned (Torr's GRIC, 1998), the robust
-/// transfer error of a rotation. Two views with a known center tell their focal length unless their
-/// axes are parallel or meet symmetrically (Sturm, "On focal length calibration from two views",
-/// 2001), the camera goes straight along its axis, or the scene is a plane: such pairs add a
-/// constant. The sigma comes from the curvature and from how much the pairs contradict one another.
-/// The best camera is given even where it is not determined, but one with the unknown field of view
-/// where its sigma is useless, the best lies at an end of the sweep, or no pair has enough matches.
-/// Throws corvo::Error on options or a size out of range.
+/// Searches for the focal length of the pinhole camera that explains pairs of images best, by a
+/// sweep over horizontal fields of view and a finer one around the best. The cost of a pair is that
+/// of the best motion that the focal length allows: the robust Sampson error of an essential matrix
+/// or, if the camera only rotated (Torr's GRIC, 1998), the robust transfer error of a rotation. Two
+/// views with a known principal point determine their focal length unless their axes are parallel
+/// or meet symmetrically (Sturm, "On focal length calibration from two views", 2001), the camera
+/// moves straight along its axis, or the scene is a plane: the cost of such pairs is constant. The
+/// sigma is derived from the curvature of the cost and the inconsistency of the pairs. The best
+/// camera is returned even if it is not determined, but the camera with the unknown field of view
+/// if the sigma is useless, the best lies at an end of the sweep, or no pair has enough matches.
+/// Throws corvo::Error if an option or a size is out of range.
 FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width, int height,
                               const FocalSearchOptions& options = {});
 

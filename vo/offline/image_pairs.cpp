@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-/// A frame without a camera: MatchFrames looks at no rays.
+/// Returns a frame without a camera: MatchFrames() uses no rays.
 Frame MakeFrameOf(orb::Features features) {
   Frame frame;
   frame.features = std::move(features);

@@ -12,7 +12,7 @@
 
 namespace corvo {
 
-/// Which pairs of images are matched; see ImagePairs.
+/// Options of ImagePairs.
 struct ImagePairOptions {
   orb::ExtractorOptions extractor;
   FrameMatchingOptions matching;
@@ -37,33 +37,35 @@ struct ImagePairOptions {
   void Validate() const;
 };
 
-/// Matches features between images of a sequence, for SearchFocal: from first images spread
-/// evenly over it, each with the earliest later one to which the features have moved far.
+/// Matches features between images of a sequence, for SearchFocal(). The first images of the pairs
+/// are spread evenly over the sequence; each is matched with the earliest later image in which the
+/// features have moved far.
 class ImagePairs {
  public:
-  /// Pairs of `num_images` images. Throws corvo::Error on options out of range.
+  /// Selects pairs among `num_images` images. Throws corvo::Error if an option is out of range.
   explicit ImagePairs(int num_images, const ImagePairOptions& options = {});
 
-  /// Whether image `i` is looked at.
+  /// Returns whether image `i` is needed.
   bool Needs(int i) const;
 
-  /// Takes image `i`, 8-bit gray, all of one size; `mask` as orb::Extractor's. Images come in
-  /// order, those that are not needed may be left out. Throws corvo::Error on a wrong type or size.
+  /// Adds image `i`, which is 8-bit gray; all images have one size. `mask` is that of
+  /// orb::Extractor. Images must be added in order; those that are not needed may be left out.
+  /// Throws corvo::Error if the type or size is wrong.
   void Add(int i, const cv::Mat& image, const cv::Mat& mask = cv::Mat());
 
-  /// Of every first image with enough matches and motion.
+  /// Returns the matches of every first image with enough matches and motion.
   std::vector<PixelMatches> Get() const;
 
  private:
   struct Start {
     int image = 0;
     Frame frame;
-    PixelMatches matches;        // With the image to which the features moved the farthest so far.
-    double displacement_px = 0;  // Median.
+    PixelMatches matches;        // Matches with the image of the largest displacement so far.
+    double displacement_px = 0;  // Median displacement of `matches`.
     bool is_done = false;
   };
 
-  /// Whether images so far apart are matched: 1, 2, 3, 4, 6, 8, 12, 16 ... images.
+  /// Returns whether images with this gap are matched: 1, 2, 3, 4, 6, 8, 12, 16 ... images.
   bool IsGap(int gap) const;
   void Match(const Frame& frame, double diagonal_px, Start& start) const;
   PixelMatches MatchPixels(const Frame& first, const Frame& second) const;

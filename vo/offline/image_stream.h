@@ -12,12 +12,12 @@
 
 namespace corvo {
 
-/// An image as Odometry::Process takes it.
+/// An input image of Odometry::Process().
 struct StreamImage {
   cv::Mat image;  ///< 8-bit gray.
   TimeNs time_ns = 0;
   cv::Mat mask;      ///< Empty, or of the image's size.
-  std::string name;  ///< For messages.
+  std::string name;  ///< Name of the image in messages.
 };
 
 /// The images of one sequence, read one after the other.
@@ -28,15 +28,15 @@ class ImageStream {
   ImageStream& operator=(const ImageStream&) = delete;
   virtual ~ImageStream() = default;
 
-  /// The next image; none after the last. May throw corvo::Error.
+  /// Returns the next image, or std::nullopt after the last. May throw corvo::Error.
   virtual std::optional<StreamImage> Next() = 0;
-  /// Leaves out the next image, undecoded; false after the last.
+  /// Skips the next image without decoding it. Returns false after the last.
   virtual bool Skip() = 0;
-  /// How many images there are; none where only their end will tell.
+  /// Returns the number of images, or std::nullopt if it is known only at their end.
   virtual std::optional<int> size() const { return std::nullopt; }
 };
 
-/// Opens a sequence at its first image, as often as it is called.
+/// Opens a sequence at its first image, every time that it is called.
 using StreamOpener = std::function<std::unique_ptr<ImageStream>()>;
 
 }  // namespace corvo

@@ -14,13 +14,13 @@
 namespace corvo {
 namespace {
 
-/// Precedes the observations, positions and merges of a frame.
+/// The header that precedes the observations, positions and merges of a frame.
 struct Header {
   std::int32_t frame, segment, keyframe;
   std::uint32_t num_observations, num_positions, num_merges;
 };
 
-/// An observation in the file, as precise as it is recorded.
+/// An observation in the file, in the single precision in which it is recorded.
 struct StoredObservation {
   std::int32_t landmark;
   float x, y, sigma_px;

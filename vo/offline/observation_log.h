@@ -8,8 +8,8 @@
 
 namespace corvo {
 
-/// Keeps what the frames of a sequence observed in a temporary file, which goes with the object,
-/// for adjustments of the whole sequence:
+/// Stores the observations of a sequence's frames in a temporary file, which exists as long as the
+/// object or a callback does, for adjustments of the whole sequence:
 ///
 ///     ObservationLog log;
 ///     odometry.SetObservationCallback(log.Callback());
@@ -22,13 +22,14 @@ class ObservationLog {
   ObservationLog(ObservationLog&&) noexcept;
   ObservationLog& operator=(ObservationLog&&) noexcept;
 
-  /// Adds to the log; may outlive it. Throws corvo::Error where nothing can be written.
+  /// Returns a callback that adds to the log. It may outlive the log. It throws corvo::Error if the
+  /// file cannot be written.
   ObservationCallback Callback();
 
-  int size() const;               ///< Frames and keyframes reported.
-  std::size_t num_bytes() const;  ///< Of the file.
+  int size() const;               ///< Number of frames and keyframes reported.
+  std::size_t num_bytes() const;  ///< Size of the file.
 
-  /// Calls `visit` with everything that was added, in the same order. Throws corvo::Error where the
+  /// Calls `visit` with everything that was added, in the same order. Throws corvo::Error if the
   /// file cannot be read.
   void Visit(const ObservationCallback& visit) const;
 

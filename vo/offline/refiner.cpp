@@ -10,10 +10,10 @@
 namespace corvo {
 namespace {
 
-/// What a refinement made of frames and landmarks.
+/// The refined poses of frames and positions of landmarks.
 class RefinedMap {
  public:
-  /// `bundles` are those of the record, adjusted. Frames with fewer inliers are left out.
+  /// `bundles` are the adjusted bundles of the record. Frames with fewer inliers are left out.
   RefinedMap(const SequenceRecord& record, const std::vector<Bundle>& bundles, int min_inliers)
       : record_(record) {
     auto frame = record.frames().begin();
@@ -29,7 +29,7 @@ class RefinedMap {
   }
 
   const std::map<LandmarkId, MarginalizedLandmark>& landmarks() const { return landmarks_; }
-  /// Null where the landmark, or the one that it was merged into, was not refined.
+  /// Returns null if the landmark, or the one that it was merged into, was not refined.
   const MarginalizedLandmark* FindLandmark(LandmarkId id) const {
     const auto found = landmarks_.find(record_.Resolve(id));
     return found == landmarks_.end() ? nullptr : &found->second;
@@ -37,8 +37,8 @@ class RefinedMap {
   int num_frames() const { return static_cast<int>(moves_.size()); }
   bool IsAdjusted(const FrameKey& frame) const { return moves_.count(frame) > 0; }
 
-  /// Moves a posed frame with the adjusted frame of its segment that it is, or that is before it;
-  /// with the first one, if none is before.
+  /// Returns the pose of a posed frame, moved with the adjusted frame of its segment that it is or
+  /// that precedes it, or with the first one if none precedes it.
   SE3 Move(const FrameResult& frame) const {
     auto next = moves_.upper_bound({frame.segment, frame.index});
     if (next != moves_.begin() && std::prev(next)->first.first == frame.segment) --next;
@@ -51,7 +51,7 @@ class RefinedMap {
     SE3 before, after;  // world_from_camera
   };
 
-  /// Of each view.
+  /// Returns the number of inliers in each view.
   static std::vector<int> CountInliers(const Bundle& bundle) {
     std::vector<int> num_inliers(bundle.views.size(), 0);
     for (const Bundle::Observation& observation : bundle.observations) {
@@ -82,7 +82,7 @@ void SetPose(const SE3& world_from_camera, FrameResult& frame) {
   frame.world_from_camera_rotation = world_from_camera.rotation();
 }
 
-/// Locates a frame among refined landmarks, if enough of them agree.
+/// Locates a frame among refined landmarks. Returns std::nullopt if it has too few inliers.
 std::optional<SE3> Locate(const FrameObservations& frame, const SE3& predicted,
                           const RefinedMap& refined, const Camera& camera, int min_inliers) {
   PoseObservations observations;

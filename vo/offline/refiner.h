@@ -14,32 +14,32 @@ namespace corvo {
 
 struct RefinerOptions {
   SequenceOptions sequence;
-  /// Errors are a fraction of their sigma, but alike along a track (docs/calibration.md).
+  /// Residuals are a fraction of their sigma, but correlated along a track (docs/calibration.md).
   AdjustmentOptions adjustment{.num_rounds = 2, .huber_sigmas = 0.37, .information_factor = 4.5};
 };
 
-/// A sequence adjusted as a whole.
+/// The result of adjusting a sequence as a whole.
 struct Refinement {
-  AdjustmentSummary adjustment;  ///< Unless it is usable, the rest is as it was.
+  AdjustmentSummary adjustment;  ///< Unless it is usable, the trajectory is unchanged.
   Trajectory trajectory;
-  std::vector<MarginalizedLandmark> landmarks;  ///< Inliers of at least two adjusted frames.
-  int num_adjusted = 0;                         ///< Keyframes, and frames between them.
-  int num_placed = 0;                           ///< Other posed frames that were located again ...
-  int num_moved = 0;  ///< ... or moved with the adjusted frame before them.
+  std::vector<MarginalizedLandmark> landmarks;  ///< Inliers in at least two adjusted frames.
+  int num_adjusted = 0;                         ///< Adjusted keyframes and frames between them.
+  int num_placed = 0;                           ///< Other posed frames that were located again.
+  int num_moved = 0;  ///< Other posed frames that were moved with the adjusted frame before them.
 };
 
-/// Global bundle adjustment of a finished sequence: all keyframes, some of the frames between them,
-/// and the landmarks are adjusted together, each segment with a gauge of its own and all with one
-/// camera, which is what was given to the odometry, as certain as its options say, from what it
-/// estimated. A camera that the odometry takes as exact stays. Then every other posed frame is
-/// located again, see OptimizePose; where too few landmarks agree it moves with the adjusted frame
-/// before it. Frames without a pose stay as they are. The size of the adjustment grows with the
-/// number of keyframes alone. `log` has recorded the odometry from its first image on.
-/// Deterministic.
+/// Runs a global bundle adjustment of a finished sequence. All keyframes, some of the frames
+/// between them and the landmarks are adjusted together, each segment with its own gauge and all
+/// with one camera, whose prior is that given to the odometry and whose initial value is the
+/// odometry's estimate. A camera that the odometry treats as exact is constant. Then every other
+/// posed frame is located again, see OptimizePose(); if it has too few inliers, it moves with the
+/// adjusted frame before it. Frames without a pose are unchanged. The size of the adjustment grows
+/// only with the number of keyframes. `log` must have recorded the odometry from its first image
+/// on. The result is deterministic.
 Refinement Refine(const Odometry& odometry, const ObservationLog& log,
                   const RefinerOptions& options = {}, const AdjustmentProgress& progress = {});
 
-/// How certain an odometry's camera is: nothing is free where it is taken as it was given.
+/// Returns the prior of an odometry's camera; no parameter is free if the camera is used as given.
 CameraPrior PriorOf(const Odometry& odometry);
 
 }  // namespace corvo

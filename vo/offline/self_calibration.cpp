@@ -20,7 +20,7 @@ namespace {
 
 using Stage = CalibrationStep::Stage;
 
-/// Asks the callback whether to go on, and remembers that it said no.
+/// Reports steps to a callback until it returns false.
 class Progress {
  public:
   explicit Progress(const CalibrationProgress& callback) : callback_(callback) {}
@@ -36,14 +36,15 @@ class Progress {
   bool is_canceled_ = false;
 };
 
-/// All sequences are of one camera. Throws where an image has another size than those before.
+/// Throws corvo::Error if an image differs in size from the previous ones: all sequences are of one
+/// camera.
 void CheckSize(const StreamImage& image, const cv::Size& size) {
   if (image.image.size() == size) return;
   throw Error(fmt::format("{}: the image is {} x {} px, others {} x {} px", image.name,
                           image.image.cols, image.image.rows, size.width, size.height));
 }
 
-/// The length of a sequence, counted where only its end tells.
+/// Returns the number of images in a sequence, by counting them if the stream does not have a size.
 int CountImages(const StreamOpener& open, Progress& progress) {
   const std::unique_ptr<ImageStream> stream = open();
   if (const std::optional<int> size = stream->size()) return *size;
@@ -119,7 +120,7 @@ CameraStart SearchStart(const std::vector<StreamOpener>& sequences,
   return start;
 }
 
-/// Gives an odometry the images of a stream, at most so many, and finishes it.
+/// Processes the images of a stream with an odometry, at most `max_images`, and finishes it.
 void ProcessStream(ImageStream& stream, int max_images, CalibrationStep step, Progress& progress,
                    Odometry& odometry) {
   for (int num_read = 0; num_read < max_images; ++num_read) {
@@ -135,7 +136,7 @@ void ProcessStream(ImageStream& stream, int max_images, CalibrationStep step, Pr
   odometry.Finish();
 }
 
-/// The calibration of one camera, under way.
+/// A calibration of one camera in progress.
 class Calibrator {
  public:
   Calibrator(const std::vector<StreamOpener>& sequences,
@@ -143,9 +144,9 @@ class Calibrator {
              Progress& progress)
       : sequences_(sequences), models_(models), options_(options), progress_(progress) {}
 
-  /// Candidates of all models, from what is known of the camera; none where nothing was tracked.
+  /// Returns candidates for all models, starting with `prior`, or none if nothing was tracked.
   std::vector<CameraCandidate> Run(CameraPrior prior) {
-    // While the tracks change, one model is enough.
+    // One model is sufficient while the tracks change.
     const CalibrationModel first =
         models_.size() == 1 ? models_.front() : CalibrationModel::kRadtan;
     for (int round = 1;; ++round) {

@@ -14,21 +14,21 @@
 
 namespace corvo {
 
-/// What a self-calibration is doing.
+/// A step of a self-calibration in progress.
 struct CalibrationStep {
   enum class Stage { kFocalSearch, kTracking, kAdjustment };
 
   Stage stage = Stage::kFocalSearch;
-  int round = 0;                               ///< From 1; kTracking.
-  int sequence = 0;                            ///< From 0; kTracking.
-  CalibrationModel model{};                    ///< kAdjustment.
-  std::optional<double> share = std::nullopt;  ///< Done of this step, 0 to 1, if known.
+  int round = 0;                               ///< Round from 1; set in kTracking.
+  int sequence = 0;                            ///< Index of the sequence; set in kTracking.
+  CalibrationModel model{};                    ///< Set in kAdjustment.
+  std::optional<double> share = std::nullopt;  ///< Share that is done, 0 to 1, if known.
 };
 
-/// Is told what is being done; returns whether to go on.
+/// Called with the current step. Returns whether to continue.
 using CalibrationProgress = std::function<bool(const CalibrationStep&)>;
 
-/// How a camera is found from its images alone.
+/// Options for estimating a camera from its images alone.
 struct SelfCalibrationOptions {
   OdometryOptions odometry;
   ImagePairOptions image_pairs;
@@ -39,7 +39,7 @@ struct SelfCalibrationOptions {
   int max_rounds = 4;                // ablation
   double max_focal_change = 0.01;    // ablation
   double min_focal_sigma = 0.1;      // docs/calibration.md
-  double max_focal_sigma = 0.5;      // Beyond it any focal length is as good.
+  double max_focal_sigma = 0.5;      // Larger values leave the focal length free.
   double k1_sigma = 0.1;             // docs/calibration.md
   double k2_sigma = 0.05;            // docs/calibration.md
   double center_sigma_share = 0.01;  // docs/calibration.md
@@ -67,48 +67,50 @@ struct SelfCalibrationOptions {
   void Validate() const;
 };
 
-/// A camera to start from.
+/// An initial camera, with the search for its focal length.
 struct CameraStart {
   FocalSearchResult search;
   CameraPrior prior;
 };
 
-/// Searches the focal length of the one camera that took all these sequences. Each is opened and
-/// read once, those of unknown length twice. The focal length is then known to within the search's
-/// sigma, at least `min_focal_sigma`, as the principal point and distortion that the search assumes
-/// are not the camera's; the principal point to within a share of the width; k1 and k2 are all but
-/// unknown. None where `progress` asked to stop. Throws corvo::Error where images differ in size.
+/// Searches for the focal length of the one camera that took all these sequences. Each sequence is
+/// read once, or twice if its length is unknown. In the prior, the standard deviation of the focal
+/// length is that of the search, but at least `min_focal_sigma`, because the principal point and
+/// distortion that the search assumes are not the camera's, and at most `max_focal_sigma`; that of
+/// the principal point is a share of the width; k1 and k2 are nearly unknown. Returns std::nullopt
+/// if `progress` asked to stop. Throws corvo::Error if images differ in size.
 std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequences,
                                            const SelfCalibrationOptions& options,
                                            const CalibrationProgress& progress = {});
 
-/// The same of one sequence, but the camera is the one that the odometry has found when it has
-/// passed through the first images: what is tracked before a camera is known stays worse. It is
-/// known no better than the search knows it, so that a run over the same images counts them once.
+/// Like FindFocalLength() for one sequence, but the camera is the odometry's estimate after the
+/// first images: frames that are tracked before the camera is known remain worse. Its standard
+/// deviations are those of the search, so that another run over the same images does not count them
+/// twice.
 std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
                                       const SelfCalibrationOptions& options,
                                       const CalibrationProgress& progress = {});
 
-/// A camera from its sequences, without a calibration target.
+/// A camera calibrated from its sequences, without a calibration target.
 struct CameraCalibration {
   CameraStart start;
   bool is_canceled = false;                 ///< `progress` asked to stop.
-  std::vector<CameraCandidate> candidates;  ///< One for each model; none if nothing was tracked.
+  std::vector<CameraCandidate> candidates;  ///< One for each model; empty if nothing was tracked.
   int selected = kNoId;                     ///< Index of the best candidate, see SelectCandidate.
 };
 
-/// Calibrates the camera that took all these sequences with one setting of zoom and focus: from the
-/// focal length found by the search, the odometry runs over each sequence and all are adjusted
-/// together, both again while the focal length changes by more than `max_focal_change`. Then each
-/// model is adjusted to the same observations, and the simplest is selected that the Bayesian
-/// information criterion does not clearly reject. Throws corvo::Error on images of different sizes
-/// and without models.
+/// Calibrates the camera that took all these sequences with one setting of zoom and focus. Starting
+/// with the focal length found by the search, the odometry processes each sequence and all of them
+/// are adjusted together; both are repeated while the focal length changes by more than
+/// `max_focal_change`. Then each model is adjusted to the same observations, and the simplest model
+/// that the Bayesian information criterion does not clearly reject is selected. Throws corvo::Error
+/// if images differ in size or `models` is empty.
 CameraCalibration CalibrateCamera(const std::vector<StreamOpener>& sequences,
                                   const std::vector<CalibrationModel>& models,
                                   const SelfCalibrationOptions& options,
                                   const CalibrationProgress& progress = {});
 
-/// The free parameters of a candidate with the standard deviations of its estimate.
+/// Returns the free parameters of a candidate with the standard deviations of its estimate.
 std::vector<FreeParameter> EstimatedSigmas(const CameraCandidate& candidate);
 
 }  // namespace corvo

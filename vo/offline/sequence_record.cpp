@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-/// At most `max_count` of the elements, evenly spread.
+/// Returns at most `max_count` of the elements, evenly spread.
 std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_count) {
   const auto size = static_cast<long>(elements.size());
   if (size <= max_count) return elements;
@@ -19,13 +19,13 @@ std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_coun
   return spread;
 }
 
-/// What a view of a bundle saw.
+/// An observation and its view in a bundle.
 struct Entry {
   Observation observation;
   int view;
 };
 
-/// Adds the points and observations of a bundle that has its views.
+/// Adds points and observations to a bundle whose views are set.
 void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
                std::vector<Entry> entries, Bundle& bundle) {
   const auto key = [](const Entry& e) { return std::pair(e.observation.landmark, e.view); };
@@ -34,7 +34,7 @@ void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
   const SE3 local_from_world = bundle.world_from_local.Inverse();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [observation, view] = entries[i];
-    if (i > 0 && key(entries[i]) == key(entries[i - 1])) continue;  // Of merged landmarks.
+    if (i > 0 && key(entries[i]) == key(entries[i - 1])) continue;  // Both are of merged landmarks.
     if (bundle.points.empty() || bundle.points.back().landmark != observation.landmark) {
       bundle.points.push_back(
           {observation.landmark, local_from_world * in_world.at(observation.landmark)});

@@ -14,54 +14,55 @@
 
 namespace corvo {
 
-/// Which frames of a sequence are adjusted as a whole, and how much of each.
+/// The frames of a sequence that are adjusted as a whole, and the number of their points.
 struct SequenceOptions {
-  /// Frames adjusted with the keyframes, of those between one keyframe and the next; evenly spread.
+  /// Number of frames between one keyframe and the next that are adjusted, too; evenly spread.
   int frames_between = 5;
-  /// Fewer between keyframes where these and those would be more than so many.
+  /// Fewer frames between keyframes are adjusted if keyframes and these would exceed this number.
   int max_frames = 1000;
-  int max_points = 400;  ///< Seen by an adjusted frame, about: see ThinPoints.
+  int max_points = 400;  ///< Approximate number per adjusted frame, see ThinPoints().
 };
 
-/// Segment and index of a frame: the frame before one segment's first may be another's last.
+/// Segment and index of a frame. One frame may be the last of a segment and the first of another.
 using FrameKey = std::pair<int, int>;
 
 inline FrameKey KeyOf(const FrameObservations& frame) { return {frame.segment, frame.frame}; }
 
-/// A frame to be adjusted: what it saw and where it was.
+/// A frame to be adjusted, with its observations and pose.
 struct AdjustedFrame {
   FrameObservations seen;
   SE3 world_from_camera;
 };
 
-/// What the frames of a finished sequence saw that are to be adjusted as a whole: the keyframes,
-/// and some between them. Landmarks have their last names.
+/// The observations of those frames of a finished sequence that are adjusted as a whole: the
+/// keyframes and some frames between them. Merged landmarks have their final ids.
 class SequenceRecord {
  public:
-  /// `log` has recorded the odometry from its first image on.
+  /// `log` must have recorded the odometry from its first image on.
   SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                  const SequenceOptions& options);
 
-  /// The landmark that it is part of in the end.
+  /// Returns the landmark into which `id` was finally merged, or `id` if it was not merged.
   LandmarkId Resolve(LandmarkId id) const;
 
   const std::map<FrameKey, AdjustedFrame>& frames() const { return frames_; }
 
-  /// One a segment, in their order, its views in the order of its frames.
+  /// Returns one bundle for each segment, in ascending order, with views in the order of the
+  /// frames.
   std::vector<Bundle> MakeBundles() const;
 
  private:
-  /// Adds what a keyframe saw, or some of it.
+  /// Adds all or some of the observations of a keyframe.
   void AddKeyframe(const FrameObservations& seen, const SE3& world_from_camera);
   void KeepLandmarks();
-  /// Of the frames that are no keyframes, some between each keyframe and the next.
+  /// Returns some of the frames between each keyframe and the next; `others` are not keyframes.
   std::set<FrameKey> ChooseBetween(const std::set<FrameKey>& others) const;
-  /// What a frame saw of the keyframes' landmarks.
+  /// Returns a frame's observations of landmarks that keyframes observe.
   FrameObservations KnownOf(const FrameObservations& seen) const;
 
   SequenceOptions options_;
   std::map<FrameKey, AdjustedFrame> frames_;
-  std::unordered_map<LandmarkId, Eigen::Vector3d> in_world_;  // As the newest keyframe knew it.
+  std::unordered_map<LandmarkId, Eigen::Vector3d> in_world_;  // Positions from the newest keyframe.
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
 };
 

@@ -11,11 +11,11 @@
 
 namespace corvo {
 
-/// The camera of a least-squares problem in which its difference from the given one, see
-/// CameraPrior, may be unknown: constructed anew before each evaluation.
+/// The camera of a least-squares problem whose difference from the given camera, see CameraPrior,
+/// may be a free parameter. It is constructed anew for each evaluation point.
 class AdjustedCamera : public ceres::EvaluationCallback {
  public:
-  /// Both have to outlive it.
+  /// `prior` and `difference` must outlive this object.
   AdjustedCamera(const CameraPrior& prior, const Eigen::VectorXd& difference)
       : prior_(prior), difference_(difference) {}
 
@@ -25,8 +25,8 @@ class AdjustedCamera : public ceres::EvaluationCallback {
     }
   }
 
-  /// Null where the difference is not that of a camera: the step was too long, and the solver takes
-  /// it back.
+  /// Returns null if the difference does not yield a valid camera: the step was too long, and the
+  /// solver rejects it.
   const DifferentiableCamera* camera() const { return camera_ ? &*camera_ : nullptr; }
   int num_free() const { return prior_.num_free(); }
 

@@ -9,11 +9,12 @@
 
 namespace corvo {
 
-/// The unknowns of an adjustment, and which points are solved for jointly with the views.
+/// The unknowns of an adjustment, and the choice of points that are adjusted jointly with the
+/// views.
 struct AdjustmentState {
   std::vector<Bundle>& bundles;
-  std::vector<std::vector<char>> is_joint;  ///< For each bundle and point.
-  Eigen::VectorXd difference;               ///< Of the camera from the one given, see CameraPrior.
+  std::vector<std::vector<char>> is_joint;  ///< One flag for each bundle and point.
+  Eigen::VectorXd difference;  ///< Difference of the camera from the given one, see CameraPrior.
 };
 
 }  // namespace corvo

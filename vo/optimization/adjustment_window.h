@@ -9,22 +9,23 @@
 
 namespace corvo {
 
-/// Which keyframes a windowed adjustment moves and which it keeps fixed.
+/// The free and the fixed keyframes of a windowed adjustment, and its landmarks.
 struct AdjustmentWindow {
   std::vector<KeyframeId> free;  ///< In ascending order.
-  /// Keyframes that share landmarks with free ones; they fix pose and scale. In ascending order.
+  /// Keyframes that share landmarks with free ones and fix pose and scale. In ascending order.
   std::vector<KeyframeId> fixed;
-  std::vector<LandmarkId> landmarks;  ///< Observed by a free keyframe. In ascending order.
+  /// Landmarks observed by a free keyframe. In ascending order.
+  std::vector<LandmarkId> landmarks;
 };
 
-/// The newest keyframe and the keyframes most covisible with it are free; others that observe
-/// enough of their landmarks are fixed. Those that observe only a few are left out: a handful of
-/// wrong matches would decide the scale of the whole window.
+/// Returns a window in which the newest keyframe and the keyframes most covisible with it are free.
+/// Other keyframes that observe enough of their landmarks are fixed; those that observe only a few
+/// are left out, because a handful of wrong matches would determine the scale of the whole window.
 AdjustmentWindow SelectWindow(const Map& map, KeyframeId newest,
                               const BundleAdjusterOptions& options);
 
-/// The newest keyframes of a segment, up to `newest`, are free; others are fixed as in
-/// SelectWindow.
+/// Returns a window in which the newest keyframes of the segment of `newest` are free, at most
+/// `max_keyframes`. Other keyframes are fixed as in SelectWindow().
 AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int max_keyframes,
                                        const BundleAdjusterOptions& options);
 

@@ -24,7 +24,7 @@ std::vector<Bundle::View> CopyViews(const Map& map, const AdjustmentWindow& wind
   return views;
 }
 
-/// Index of a keyframe's view; kNoId if the bundle has none.
+/// Returns the index of a keyframe's view, or kNoId if the bundle has none.
 int FindView(const std::vector<Bundle::View>& views, KeyframeId keyframe) {
   const auto found =
       std::lower_bound(views.begin(), views.end(), keyframe,
@@ -45,7 +45,7 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world, Bu
   }
 }
 
-/// world_after_from_world_before of what each view sees.
+/// Returns world_after_from_world_before for the points that each view observes.
 std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
   std::vector<SE3> before;
   for (const Bundle::View& view : bundle.views) {
@@ -70,7 +70,7 @@ std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
   return moves;
 }
 
-/// The newest view that is not fixed among the observations of a landmark; kNoId if there is none.
+/// Returns the newest free view that observes a landmark, or kNoId if there is none.
 int NewestMovingView(const Bundle& bundle, const Landmark& landmark) {
   for (auto o = landmark.track.rbegin(); o != landmark.track.rend(); ++o) {
     const int view = FindView(bundle.views, o->keyframe);
@@ -86,7 +86,7 @@ bool IsInBundle(const Bundle& bundle, LandmarkId id) {
   return found != bundle.points.end() && found->landmark == id;
 }
 
-/// Moves what the bundle leaves out.
+/// Moves the keyframes and landmarks that the bundle does not contain.
 void PropagateCorrection(const Bundle& bundle, Map& map) {
   int newest = kNoId;
   std::vector<KeyframeId> free;
@@ -112,7 +112,7 @@ void PropagateCorrection(const Bundle& bundle, Map& map) {
   }
 }
 
-/// Whether the map still has it.
+/// Returns whether the map still has an observation of a landmark.
 bool HasTrackElement(const Map& map, LandmarkId landmark, const TrackElement& observation) {
   return map.FindLandmark(landmark) != nullptr && map.IsActive(observation.keyframe) &&
          map.keyframe(observation.keyframe).frame.landmarks[observation.keypoint] == landmark;

@@ -12,8 +12,8 @@
 
 namespace corvo {
 
-/// Poses, points and observations of one segment, in the frame of its oldest view: a copy on which
-/// an adjustment works, whatever happens to the map meanwhile.
+/// A copy of the poses, points and observations of one segment, in the frame of its oldest view. An
+/// adjustment works on the copy independently of changes to the map.
 struct Bundle {
   struct View {
     KeyframeId keyframe = kNoId;
@@ -36,29 +36,29 @@ struct Bundle {
   SE3 world_from_local;
   std::vector<View> views;                ///< In ascending order of keyframes.
   std::vector<Point> points;              ///< In ascending order of landmarks.
-  std::vector<Observation> observations;  ///< Point by point.
+  std::vector<Observation> observations;  ///< Grouped by point, in their order.
 };
 
-/// camera_from_local of each view.
+/// Returns camera_from_local of each view.
 std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
 
-/// The observations of point p are those from [p] to [p + 1] - 1: one entry more than there are
-/// points.
+/// Returns the offsets of the points' observations: those of point p have the indices offsets[p] to
+/// offsets[p + 1] - 1. There is one offset more than there are points.
 std::vector<int> ObservationOffsets(const Bundle& bundle);
 
 /// Calls `visit` with every observation of a bundle and its SquaredError.
 void VisitErrors(const Camera& camera, Bundle& bundle,
                  const std::function<void(Bundle::Observation&, double)>& visit);
 
-/// A copy of a window of the map.
+/// Returns a copy of a window of the map.
 Bundle CopyBundle(const Map& map, const AdjustmentWindow& window);
 
-/// Gives the map the poses and positions of a bundle and removes the observations that are
-/// outliers. Keyframes and landmarks that have left meanwhile stay as they are. What the bundle
-/// leaves out is corrected, too: newer keyframes of its segment move with its newest free view, a
-/// landmark with the newest free view that observes it or, if only newer keyframes do, with the
-/// newest of all. A view's correction is the similarity of its own motion and the median ratio of
-/// the depths that it observes.
+/// Writes the poses and points of a bundle to the map and removes the observations that are
+/// outliers. Keyframes and landmarks that were removed from the map in the meantime are skipped.
+/// The correction is propagated to what the bundle does not contain: newer keyframes of the segment
+/// move with the newest free view; a landmark moves with the newest free view that observes it or,
+/// if only newer keyframes observe it, with the newest free view of all. The correction of a view
+/// is the similarity of its own motion and the median ratio of the depths that it observes.
 void WriteBack(const Bundle& bundle, Map& map);
 
 }  // namespace corvo

@@ -17,11 +17,11 @@
 namespace corvo {
 namespace {
 
-constexpr double kCostRounding = 1e-9;  // Of an observation: costs that differ by less are equal.
+constexpr double kCostRounding = 1e-9;  // Per observation: costs that differ by less are equal.
 
 double Square(double x) { return x * x; }
 
-/// Reports which share of all rounds' iterations is done.
+/// Reports the share of the iterations of all rounds that is done.
 class ProgressCallback : public ceres::IterationCallback {
  public:
   ProgressCallback(const AdjustmentOptions& options, int round, const AdjustmentProgress& progress)
@@ -39,7 +39,7 @@ class ProgressCallback : public ceres::IterationCallback {
   const AdjustmentProgress& progress_;
 };
 
-/// One adjustment under way.
+/// An adjustment in progress.
 class Adjustment {
  public:
   Adjustment(const AdjustmentOptions& options, const CameraPrior& prior,
@@ -78,7 +78,7 @@ class Adjustment {
   }
 
  private:
-  /// Lowers the cost over the inliers; returns whether that gives a solution.
+  /// Minimizes the cost over the inliers. Returns whether the solution is usable.
   bool SolveRound(int round, const AdjustmentProgress& progress) {
     if (round > 0) Evaluate(Square(options_.max_error_sigmas));
     ProgressCallback callback(options_, round, progress);
@@ -97,8 +97,8 @@ class Adjustment {
     return true;
   }
 
-  /// Marks as inliers the observations up to a squared error, in units of sigma²; returns the
-  /// robust cost of the joint points.
+  /// Marks observations up to a squared error, in units of sigma², as inliers. Returns the robust
+  /// cost of the joint points and the camera.
   double Evaluate(double max_squared_error) {
     double sum = prior_.SquaredError(state_.difference);
     double inlier_sum_px = 0;
@@ -153,7 +153,7 @@ AdjustmentOptions CalibrationAdjustment(const CalibrationOptions& options, int n
   adjustment.huber_sigmas = options.huber_sigmas;
   adjustment.max_initial_error_sigmas = options.gross_error_sigmas;
   adjustment.information_factor = options.information_factor;
-  // However many keyframes there are, an estimate takes about the same time.
+  // An estimate takes about the same time for any number of keyframes.
   adjustment.points_per_view =
       std::min(options.points_per_keyframe, options.max_points / std::max(1, num_keyframes));
   return adjustment;

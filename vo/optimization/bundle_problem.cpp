@@ -18,7 +18,8 @@ ceres::Problem::Options ProblemOptions(ceres::EvaluationCallback& callback) {
   return options;
 }
 
-/// The pose farthest from the oldest one, whose distance determines the scale best.
+/// Returns the pose farthest from the oldest one, whose distance determines the scale best, or null
+/// if there is none.
 double* FarthestPose(Bundle& bundle, const ceres::Problem& problem) {
   double* farthest = nullptr;
   double max_distance = 0;

@@ -17,22 +17,23 @@
 
 namespace corvo {
 
-/// One nonlinear least-squares problem over the views, the joint points and the camera: solved
-/// once, the same bits every time (one thread, Eigen's linear algebra, an elimination order by
-/// position).
+/// A nonlinear least-squares problem over the views, the joint points and the camera, to be solved
+/// once. The solution is reproducible to the bit (one thread, Eigen's linear algebra, elimination
+/// ordered by position).
 class BundleProblem {
  public:
   BundleProblem(const CameraPrior& prior, const AdjustmentOptions& options, AdjustmentState& state);
 
-  /// Lowers the cost, and sets the state to the solution. Unless the status is usable, the state is
-  /// undefined.
+  /// Minimizes the cost and sets the state to the solution. The state is undefined unless the
+  /// returned status is usable.
   AdjustmentStatus Solve(ceres::IterationCallback& callback);
 
  private:
   void AddObservations();
-  /// Gives the poses their manifold and holds what fixes each bundle's gauge.
+  /// Sets the manifolds of the poses and fixes the gauge of a bundle.
   void FixGauge(Bundle& bundle);
-  /// Points first, then the poses of one bundle after the other, the camera last.
+  /// Returns the elimination order: first the points, then the poses of one bundle after the other,
+  /// and the camera last.
   std::shared_ptr<ceres::ParameterBlockOrdering> EliminationOrder();
   ceres::Solver::Options SolverOptions() const;
   void WriteBackPoints();
@@ -40,7 +41,7 @@ class BundleProblem {
   const CameraPrior& prior_;
   const AdjustmentOptions& options_;
   AdjustmentState& state_;
-  std::vector<Eigen::Vector3d> points_;  // Of all bundles: eliminated in the order of addresses.
+  std::vector<Eigen::Vector3d> points_;  // All points, eliminated in the order of addresses.
   AdjustedCamera camera_;
   std::unique_ptr<ceres::LossFunction> loss_;
   ceres::Problem problem_;

@@ -17,7 +17,7 @@ namespace {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Derivatives of a observation's error, in units of sigma.
+/// The derivatives of an observation's error, in units of sigma.
 struct Linearized {
   int view;
   Eigen::Matrix<double, 2, 6> by_pose;
@@ -41,15 +41,15 @@ std::optional<Linearized> Linearize(const DifferentiableCamera& adjusted,
   return linearized;
 }
 
-/// Information of one bundle about its poses (six numbers a view) and the camera, its points
-/// eliminated.
+/// The information of one bundle about its poses (six parameters for each view) and the camera,
+/// with its points eliminated.
 class ReducedInformation {
  public:
   ReducedInformation(int num_views, int num_free)
       : pose_camera_(Eigen::MatrixXd::Zero(6 * num_views, num_free)),
         camera_(Eigen::MatrixXd::Zero(num_free, num_free)) {}
 
-  /// The observations of one point.
+  /// Adds the observations of one point.
   void AddPoint(const std::vector<Linearized>& observations) {
     Eigen::Matrix3d point = Eigen::Matrix3d::Zero();
     Eigen::MatrixXd camera_point = Eigen::MatrixXd::Zero(camera_.rows(), 3);
@@ -74,7 +74,7 @@ class ReducedInformation {
     camera_ -= camera_point * covariance * camera_point.transpose();
   }
 
-  /// Information about the camera alone.
+  /// Returns the information about the camera, with the poses marginalized.
   Eigen::MatrixXd MarginalizePoses(const std::vector<Bundle::View>& views) {
     constexpr double kFixed = 1e12, kGauge = 1e-3;
     for (int view = 0; view < static_cast<int>(views.size()); ++view) {
@@ -86,7 +86,7 @@ class ReducedInformation {
   }
 
  private:
-  /// Of the lower triangle.
+  /// Returns a block of the lower triangle of the poses' information.
   Matrix6d& Block(int row, int column) {
     return blocks_.try_emplace({row, column}, Matrix6d::Zero()).first->second;
   }
@@ -129,7 +129,8 @@ Eigen::MatrixXd InformationOf(const Bundle& bundle, const std::vector<char>& is_
   return information.MarginalizePoses(bundle.views);
 }
 
-/// In units in which every parameter is alike.
+/// Inverts an information matrix in units that make its diagonal 1. Returns infinities if the
+/// matrix is singular.
 Eigen::MatrixXd Invert(const Eigen::MatrixXd& information) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Eigen::VectorXd units = information.diagonal().cwiseSqrt().cwiseInverse();

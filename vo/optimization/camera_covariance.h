@@ -8,11 +8,11 @@
 
 namespace corvo {
 
-/// Covariance of a camera's difference from the one given, by the prior and by the inliers of
-/// bundles that it saw, of the joint points alone; all poses (fixed ones are known exactly) and
-/// points are marginalized: Schur complements of the normal equations, sparse in the views.
-/// Infinite where nothing tells the free parameters apart, empty where nothing is free. Throws
-/// corvo::Error where the difference is not that of a camera.
+/// Returns the covariance of a camera's difference from the given one, determined by the prior and
+/// the inlier observations of the joint points. All poses (fixed ones are known exactly) and points
+/// are marginalized by Schur complements of the normal equations, which are sparse in the views.
+/// Returns infinities if the free parameters cannot be distinguished, and an empty matrix if none
+/// is free. Throws corvo::Error if the difference does not yield a valid camera.
 Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const AdjustmentState& state);
 
 }  // namespace corvo

@@ -13,8 +13,9 @@ struct PointAdjustmentOptions {
   int max_iterations = 5;
 };
 
-/// Minimizes the robust reprojection error (Huber) of each point of a bundle that is not in
-/// `is_adjusted`, one entry for each point, over its position; views and other points stay.
+/// Minimizes the robust reprojection error (Huber) of each point of a bundle for which
+/// `is_adjusted`, with one entry for each point, is 0. Only the point's position is free; views and
+/// other points are constant.
 void AdjustPoints(const Camera& camera, const std::vector<char>& is_adjusted,
                   const PointAdjustmentOptions& options, Bundle& bundle);
 

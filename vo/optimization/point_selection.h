@@ -7,14 +7,13 @@
 
 namespace corvo {
 
-/// Points that determine the views of a bundle nearly as well as all of them do: point by point,
-/// the longest tracks first, each that a free view observes which has fewer than `points_per_view`
-/// of them so far. One entry for each point.
+/// Returns for each point whether it is selected. The selected points determine the views of a
+/// bundle nearly as well as all points: in descending order of track length, a point is selected if
+/// it is observed by a free view that has fewer than `points_per_view` selected points so far.
 std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view);
 
-/// What is left of a bundle when only the points of SelectPoints are kept, so that the size of an
-/// adjustment grows with the number of views alone; points observed by fewer than two views go,
-/// too.
+/// Returns a bundle reduced to the points of SelectPoints(), so that the size of an adjustment
+/// grows only with the number of views. Points observed by fewer than two views are removed, too.
 Bundle ThinPoints(const Bundle& bundle, int points_per_view);
 
 }  // namespace corvo

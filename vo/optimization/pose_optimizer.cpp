@@ -45,7 +45,7 @@ class PoseProblem {
     }
   }
 
-  /// The pose of least cost over the inliers; `robust` uses Huber's loss.
+  /// Returns the pose of least cost over the inliers, with Huber's loss if `robust`.
   SE3 Minimize(const SE3& world_from_camera, const std::vector<char>& is_inlier, bool robust,
                int max_iterations) const {
     const auto build = [&](const SE3& pose) { return Build(pose.Inverse(), is_inlier, robust); };
@@ -65,7 +65,7 @@ class PoseProblem {
     return equations;
   }
 
-  /// Adds one observation. With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
+  /// Adds one observation. For X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = -υ + X × ω.
   void Add(const WeightedObservation& observation, const SE3& camera_from_world, bool robust,
            NormalEquations<6>& equations) const {
     const Eigen::Vector3d in_camera = camera_from_world * observation.in_world;
@@ -95,7 +95,7 @@ class PoseProblem {
   std::vector<WeightedObservation> observations_;
 };
 
-/// Sets which observations agree with the estimated pose, and how many.
+/// Sets the inliers of the estimated pose and their number.
 void ClassifyInliers(const PoseObservations& observations, const Camera& camera,
                      PoseEstimate& estimate) {
   const SE3 camera_from_world = estimate.world_from_camera.Inverse();

@@ -13,13 +13,13 @@
 
 namespace corvo {
 
-/// A point that is observed, and how well it is known.
+/// An observed point and its covariance.
 struct KnownPoint {
   Eigen::Vector3d in_world;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of `in_world`.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Covariance of `in_world`.
 };
 
-/// Points and their observations by one frame: observation i is of point i.
+/// Points and their observations in one frame: observation i is of point i.
 struct PoseObservations {
   std::vector<KnownPoint> points;
   std::vector<Observation> observations;
@@ -37,12 +37,15 @@ struct PoseEstimate {
   int num_inliers = 0;
 };
 
-/// The pose that minimizes the robust reprojection error of known points, by Levenberg-Marquardt
-/// from `initial`. A residual is weighted by the inverse of sigma_px² I + J C Jᵀ for a point with
-/// the covariance C, J = d pixel / d in_world at `initial`: a point that is known well where it was
-/// seen before may be known badly from elsewhere. In each round, observations whose SquaredError is
-/// over the 95% quantile of χ² with two degrees of freedom are set aside, and may return in the
-/// next; the first rounds use Huber's loss.
+/// Returns the pose that minimizes the robust reprojection error of known points, by
+/// Levenberg-Marquardt from `initial`. A residual is weighted by the inverse of
+///
+///     sigma_px² I + J C Jᵀ,   J = d pixel / d in_world at `initial`,
+///
+/// where C is the covariance of the point: a point that is well determined for the views that
+/// observed it may be poorly determined for others. In each round, observations whose SquaredError
+/// exceeds the 95% quantile of χ² with two degrees of freedom are excluded; they may be included
+/// again in the next round. The first rounds use Huber's loss.
 PoseEstimate OptimizePose(const SE3& initial, const PoseObservations& observations,
                           const Camera& camera, const PoseOptimizerOptions& options = {});
 

@@ -16,8 +16,8 @@ using PoseJacobian = Eigen::Matrix<double, 2, 7, Eigen::RowMajor>;
 using PointJacobian = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
 using CameraJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// With X = T⁻¹ X_w and T ← T Exp([υ ω]): dX = X × ω - υ, and along the manifold υ = Rᵀ dt and
-/// ω = 2 vec(q⁻¹ ⊗ dq).
+/// Returns the derivative with respect to the pose. For X = T⁻¹ X_w and T ← T Exp([υ ω]):
+/// dX = X × ω - υ, and along the manifold υ = Rᵀ dt and ω = 2 vec(q⁻¹ ⊗ dq).
 PoseJacobian ComputePoseJacobian(const Camera::Jacobian& by_camera_point,
                                  const PointJacobian& by_world_point,
                                  const Eigen::Vector3d& in_camera, const Eigen::Quaterniond& q) {

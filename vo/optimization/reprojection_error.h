@@ -8,12 +8,12 @@
 
 namespace corvo {
 
-/// The error that an optimizer gives an observation whose point does not project, in standard
-/// deviations: larger than that of any observation that is of use.
+/// The error, in standard deviations, that an optimizer assigns to an observation whose point does
+/// not project. It is larger than that of any useful observation.
 inline constexpr double kUnprojectableError = 1e3;
 
-/// The squared reprojection error of a point in units of the observation's sigma_px²; infinity
-/// where the point does not project.
+/// Returns the squared reprojection error of a point in units of the observation's sigma_px², or
+/// infinity if the point does not project.
 double SquaredError(const Eigen::Vector3d& in_camera, const Observation& observation,
                     const Camera& camera);
 

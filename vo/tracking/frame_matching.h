@@ -10,26 +10,27 @@
 
 namespace corvo {
 
-/// What a match between two frames must satisfy.
+/// The requirements for a match between two frames.
 struct FrameMatchingOptions {
-  int max_distance = 65;   ///< Bits.
-  double max_ratio = 0.8;  ///< Nearest over second nearest.
+  int max_distance = 65;   ///< Largest descriptor distance, bits.
+  double max_ratio = 0.8;  ///< Largest ratio of nearest to second nearest distance.
 };
 
-/// Brute-force matches of keypoints in `first` (queries) with those in `second` (train): near,
-/// distinct, mutual and turned consistently.
+/// Returns the brute-force matches of keypoints in `first` (queries) with those in `second` (train)
+/// that pass the distance test, the ratio test and the cross check and agree on the rotation
+/// between the images.
 std::vector<orb::Match> MatchFrames(const Frame& first, const Frame& second,
                                     const FrameMatchingOptions& options = {});
 
-/// Two frames between which the camera turned, as far as is known.
+/// Two frames between which the camera, as far as is known, only rotated.
 struct RotatedFrames {
   const Frame& first;
   const Frame& second;
   SO3 second_from_first;
 };
 
-/// As MatchFrames, but each keypoint is searched for only where the rotation puts it: within
-/// `radius_px` pixels of its octave, one octave up or down.
+/// Like MatchFrames(), but guided by the rotation: each keypoint is searched for only within
+/// `radius_px` pixels of its octave around its predicted position, in octaves up to one away.
 std::vector<orb::Match> MatchRotatedFrames(const RotatedFrames& frames,
                                            const MeasurementModel& model, double radius_px,
                                            const FrameMatchingOptions& options = {});

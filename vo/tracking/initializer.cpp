@@ -16,7 +16,7 @@
 namespace corvo {
 namespace {
 
-/// A map of two views in one segment, with the points of their motion as landmarks.
+/// Returns a map of two views in one segment, with the points of their motion as landmarks.
 Map MakeTwoViewMap(const MeasurementModel& model, const TwoViewResult& motion,
                    const std::vector<orb::Match>& matches, Frame first, Frame second) {
   Map map(model);
@@ -34,7 +34,7 @@ Map MakeTwoViewMap(const MeasurementModel& model, const TwoViewResult& motion,
   return map;
 }
 
-/// Two-view adjustment; the points that are left after outliers were removed. None where it fails.
+/// Adjusts a map of two views. Returns the inlier points, or std::nullopt if the adjustment fails.
 std::optional<InitialMap> AdjustTwoViews(const BundleAdjuster& adjuster, Map map) {
   const AdjustmentWindow window{{0, 1}, {}, map.FindObserved({0, 1})};
   Bundle bundle = CopyBundle(map, window);

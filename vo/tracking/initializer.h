@@ -22,55 +22,58 @@
 
 namespace corvo {
 
-/// What became of a frame given to the Initializer.
+/// The outcome of a frame given to the Initializer.
 struct InitializationResult {
-  Reason reason = Reason::kNone;  ///< kNone: `map` is set.
-  std::optional<InitialMap> map;  ///< Between the reference frame and the newest.
-  /// Input index of the reference frame, or, where that one is of no use, of the last frame before
+  Reason reason = Reason::kNone;  ///< kNone if `map` is set.
+  std::optional<InitialMap> map;  ///< Map of the reference frame and the newest one.
+  /// Input index of the reference frame or, if that one is unusable, of the last earlier frame
   /// whose rotation is known.
   int reference = kNoId;
-  /// Set if between the two the camera turned or stood still, as far as the matches tell.
+  /// Set if, as far as the matches tell, the camera only rotated or stood still between the two
+  /// frames.
   std::optional<SO3> reference_from_newest;
   int num_matches = 0;
   int num_inliers = 0;
   double parallax_deg = 0;
 };
 
-/// Collects frames until the newest and a reference frame make a map.
+/// Collects frames until the newest one and a reference frame yield an initial map.
 class Initializer {
  public:
   Initializer(const OdometryOptions& options, const MeasurementModel& model);
 
-  /// Sees by another camera from now on, in the frames that wait too.
+  /// Replaces the camera, also for the frames collected so far.
   void SetCamera(const Camera& camera);
 
-  /// Takes a frame whose pose is known as the reference. Only where no frame is collected.
+  /// Adds a posed frame as the reference. Must be called only while no frame is collected.
   void StartFrom(Frame posed);
 
   InitializationResult AddFrame(Frame frame);
 
-  /// The frames collected, in order; the newest is the last. Forgets them.
+  /// Returns the collected frames in order, the newest last, and clears the collection.
   std::vector<Frame> TakeFrames();
-  /// The newest frame collected; null if there is none.
+  /// Returns the newest collected frame, or null if there is none.
   const Frame* newest() const { return frames_.empty() ? nullptr : &frames_.back(); }
-  /// Index of the reference frame within the frames collected.
+  /// Returns the index of the reference frame among the collected frames.
   int reference() const { return reference_; }
-  std::size_t num_bytes() const;  ///< Of the frames collected.
+  std::size_t num_bytes() const;  ///< Memory held by the collected frames.
 
  private:
-  /// Forgets the oldest frame when there are too many.
+  /// Adds a frame to the collection and drops the oldest one if there are too many.
   void Keep(Frame frame);
-  /// Half-way to the newest frame: near enough to match again, far enough to keep some parallax.
-  /// If there is one, a frame whose rotation is known.
+  /// Moves the reference halfway to the newest frame: near enough to be matched again, far enough
+  /// to keep some parallax. Prefers frames whose rotation is known.
   void MoveReference();
   void MakeMap(const std::vector<orb::Match>& matches, InitializationResult& result);
-  /// The twofold ambiguity of a plane is waited out.
+  /// Estimates the motion between the reference and the newest frame. If a plane leaves its motion
+  /// ambiguous, the result is Reason::kPlanar until later frames resolve the ambiguity.
   TwoViewResult EstimateMotion(const std::vector<orb::Match>& matches);
-  /// Where the reference is of no use, the rotation against the last frame that has one.
+  /// Estimates the rotation relative to the last frame whose rotation is known, for a reference
+  /// that yields neither a map nor a rotation.
   void ContinueRotation(InitializationResult& result) const;
-  /// With more matches than without the rotation.
+  /// Refines a rotation with guided matches, which are more than those found without it.
   SO3 RefineRotation(const Frame& reference, const SO3& reference_from_newest) const;
-  /// With the newest frame.
+  /// Converts matches with the newest frame to rays.
   std::vector<RayMatch> ToRayMatches(const Frame& first,
                                      const std::vector<orb::Match>& matches) const;
 
@@ -80,7 +83,7 @@ class Initializer {
   MeasurementModel model_;
   std::deque<Frame> frames_;
   PlaneHypotheses planes_;
-  std::deque<bool> has_rotation_;  // Of each frame, whether its rotation is known.
+  std::deque<bool> has_rotation_;  // True for frames whose rotation is known.
   int reference_ = 0;
 };
 

@@ -12,20 +12,20 @@ namespace corvo {
 /// Predicts poses by constant velocity.
 class MotionModel {
  public:
-  /// Takes the motion between two posed frames as the one to expect.
+  /// Sets the expected motion to that between two posed frames.
   void Update(const Frame& earlier, const Frame& later);
 
-  /// The expected world_from_camera at a time, from a posed frame on. The frame's own pose before
-  /// any motion is known.
+  /// Returns the expected world_from_camera at `time_ns`, starting at a posed frame. Before the
+  /// first Update(), this is the frame's own pose.
   SE3 Predict(const Frame& from, TimeNs time_ns) const;
 
-  /// The distance that the camera is expected to move in a time. None before any motion is known,
-  /// and while standing still.
+  /// Returns the distance that the camera is expected to move in `duration_ns`, or std::nullopt
+  /// before the first Update() and while the camera stands still.
   std::optional<double> ExpectedDistance(TimeNs duration_ns) const;
 
  private:
   SE3 earlier_from_later_;
-  TimeNs step_ns_ = 0;  // How long that motion took; 0 before any is known.
+  TimeNs step_ns_ = 0;  // Duration of the motion; 0 before the first Update().
 };
 
 }  // namespace corvo

@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-/// The newest kept keyframes of a segment, newest first.
+/// Returns the newest active keyframes of a segment, newest first.
 std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
   std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
   std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
@@ -20,7 +20,8 @@ std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_ke
   return keyframes;
 }
 
-/// The landmark most like each keypoint of the frame, where one is like it at all.
+/// Returns the landmark with the nearest descriptor for each keypoint of the frame that has one
+/// within `max_distance` bits.
 std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId>& landmarks,
                                     int max_distance, const Frame& frame) {
   std::vector<orb::Descriptor> descriptors;
@@ -34,7 +35,7 @@ std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId
   return similar;
 }
 
-/// Of `keyframes`, those that see the most of `landmarks`, most first.
+/// Returns the keyframes that observe the most of `landmarks`, in descending order of their number.
 std::vector<KeyframeId> SelectCandidates(const Map& map, const std::vector<KeyframeId>& keyframes,
                                          const std::vector<LandmarkId>& landmarks,
                                          int max_candidates) {

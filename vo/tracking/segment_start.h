@@ -12,17 +12,17 @@
 
 namespace corvo {
 
-// A new segment starts where the segments before ended, as far as that can be guessed: the scale of
-// a monocular map is arbitrary, and poses compare only within one segment.
+// A new segment starts at an extrapolation of the previous ones: the scale of a monocular map is
+// arbitrary, and poses can be compared only within one segment.
 
-/// The world_from_camera at which the first frame of a segment is expected. If its rotation is
-/// known it has turned so far, standing where the previous posed frame stood; otherwise it has
-/// moved on at constant velocity.
+/// Returns the expected world_from_camera of the first frame of a segment. If the frame's rotation
+/// is known, it has the position of the previous posed frame; otherwise the camera has moved on at
+/// constant velocity.
 SE3 PredictFirstPose(const Frame& first, const std::optional<SO3>& world_from_first_rotation,
                      const Frame& previous, const MotionModel& motion);
 
-/// The initial map in the unit in which the camera moves on at the last known speed over the
-/// baseline, which took so long. Where no speed is known the map stays as it is.
+/// Returns the initial map scaled so that the camera moves at its last known speed over the
+/// baseline, which took `baseline_ns`. Returns the map unchanged if no speed is known.
 InitialMap ScaleToMotion(InitialMap map, TimeNs baseline_ns, const MotionModel& motion);
 
 }  // namespace corvo

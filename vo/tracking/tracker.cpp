@@ -18,7 +18,7 @@
 namespace corvo {
 namespace {
 
-/// Where the landmarks of a frame are predicted from a pose.
+/// Returns the projections of a frame's landmarks from a pose.
 std::vector<PredictedKeypoint> PredictLandmarks(const Map& map, const Frame& frame,
                                                 const SE3& world_from_camera) {
   const SE3 camera_from_world = world_from_camera.Inverse();
@@ -32,7 +32,7 @@ std::vector<PredictedKeypoint> PredictLandmarks(const Map& map, const Frame& fra
   return predictions;
 }
 
-/// Gives the matched keypoints their landmarks, and all others none; each landmark once.
+/// Assigns landmarks to the matched keypoints, each landmark at most once, and none to all others.
 void AssignLandmarks(const std::vector<orb::Match>& matches, const GuidedQueries& queries,
                      Frame& frame) {
   frame.landmarks.assign(frame.landmarks.size(), kNoId);
@@ -49,7 +49,8 @@ struct PointRays {
   std::vector<cv::Point2d> rays;
 };
 
-/// Perspective-n-point pose by RANSAC (AP3P, fixed seed): world_from_camera. None if it fails.
+/// Returns world_from_camera by perspective-n-point RANSAC (AP3P, fixed seed), or std::nullopt if
+/// it fails.
 std::optional<SE3> EstimatePose(const PointRays& points, double max_ray_error, int max_iterations) {
   constexpr std::size_t kMinPoints = 6;
   constexpr double kConfidence = 0.999;
@@ -68,7 +69,8 @@ std::optional<SE3> EstimatePose(const PointRays& points, double max_ray_error, i
   return SE3(SO3::Exp(omega), t).Inverse();
 }
 
-/// Landmarks of the keyframes that share most with the frame, without the frame's own, in id order.
+/// Returns the landmarks of the keyframes that share most with the frame, without the frame's own,
+/// in ascending order.
 std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame,
                                               int max_keyframes) {
   const std::vector<LandmarkId> local =

@@ -7,8 +7,9 @@
 
 namespace corvo {
 
-/// Sets why a frame has no pose, and the counts behind it: as the initializer says while there is
-/// no map, as the tracker says once there is one. A blank image is one in both.
+/// Sets the state of a frame without a pose, and the reason and counts: those of the initializer
+/// while there is no map, those of the tracker afterwards. Too few features are the reason in both
+/// cases.
 void ExplainUnposed(bool has_map, const TrackingResult& tracking,
                     const InitializationResult& initialization, FrameOutcome& outcome);
 
