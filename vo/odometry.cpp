@@ -10,6 +10,7 @@
 #include "vo/mapping/mapper.h"
 #include "vo/tracking/initializer.h"
 #include "vo/tracking/relocalizer.h"
+#include "vo/tracking/repeat_detector.h"
 #include "vo/tracking/segment_start.h"
 #include "vo/tracking/tracker.h"
 #include "vo/tracking/unposed_outcome.h"
@@ -22,6 +23,7 @@ Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int thr
 Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int threads)
     : options_(options.Checked()),
       threads_(threads),
+      repeats_(std::make_unique<RepeatDetector>()),
       extractor_(options.extractor, threads),
       map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
       initializer_(std::make_unique<Initializer>(options, map_.model())),
@@ -39,6 +41,9 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   CheckImage(image, camera());
   history_->CheckNext(time_ns);
   clock_.Reset();
+  // An image that repeats the previous one says nothing about the motion: it gets the same pose.
+  if (repeats_->Add(ReducedImage(image)))
+    return history_->ResultOf(history_->AddRepeat(time_ns), map_);
   Frame frame = ExtractFrame(image, time_ns, mask);
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));

@@ -27,6 +27,7 @@ class FrameHistory;
 class Initializer;
 class Mapper;
 class Relocalizer;
+class RepeatDetector;
 class Tracker;
 struct InitializationResult;
 struct MapUpdate;
@@ -134,6 +135,7 @@ class Odometry {
 
   OdometryOptions options_;
   int threads_;
+  std::unique_ptr<RepeatDetector> repeats_;
   orb::Extractor extractor_;
   Map map_;
   std::unique_ptr<Initializer> initializer_;

@@ -110,6 +110,41 @@ TEST(OdometryTest, StandingStillHasNoPose) {
   EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
 }
 
+TEST(OdometryTest, RepeatedFramesHaveThePoseOfTheirOriginalAndDisturbNothing) {
+  constexpr int kRepeats = 3;
+  const std::vector<cv::Mat> drive = MakeDrive(25, 1);
+  std::vector<cv::Mat> repeated;
+  for (const cv::Mat& image : drive) {
+    repeated.insert(repeated.end(), kRepeats, image);
+    repeated.back() = image + cv::Scalar(1);  // As a codec may leave it.
+  }
+  const Trajectory once = RunDrive(drive, 1);
+  const Trajectory all = RunDrive(repeated, 1);
+  EXPECT_EQ(all.PosedShare(), 1);
+  const double scale = all.frames.back().world_from_camera->translation().norm() /
+                       once.frames.back().world_from_camera->translation().norm();
+  for (int i = 0; i < static_cast<int>(all.frames.size()); ++i) {
+    const FrameResult& frame = all.frames[i];
+    const int original = i - i % kRepeats;
+    EXPECT_EQ(frame.repeats, i == original ? kNoId : original);
+    EXPECT_EQ(frame.world_from_camera, all.frames[original].world_from_camera);
+    EXPECT_EQ(frame.reason, i == original ? Reason::kNone : Reason::kRepeatedImage);
+    const Eigen::Vector3d expected =
+        scale * once.frames[i / kRepeats].world_from_camera->translation();
+    EXPECT_NEAR((frame.world_from_camera->translation() - expected).norm(), 0, 0.02 * scale);
+  }
+}
+
+TEST(OdometryTest, ACameraThatStopsAndGoesOnIsTracked) {
+  const std::vector<cv::Mat> drive = MakeDrive(30, 2);
+  std::vector<cv::Mat> images(drive.begin(), drive.begin() + 15);
+  images.insert(images.end(), 40, drive[14]);
+  images.insert(images.end(), drive.begin() + 15, drive.end());
+  const Trajectory trajectory = RunDrive(images, 1);
+  EXPECT_EQ(trajectory.PosedShare(), 1);
+  EXPECT_EQ(trajectory.frames.back().segment, 0);
+}
+
 TEST(OdometryTest, ABlankImageIsSaidAndTrackingGoesOnAfterIt) {
   std::vector<cv::Mat> drive = MakeDrive(20, 6);
   drive[12] = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));

@@ -32,6 +32,7 @@ enum class Reason : std::uint8_t {
   kAmbiguousMotion,   ///< Initializing: no motion explains the matches clearly best.
   kBadTriangulation,  ///< Initializing: too few points lie in front, with parallax and low error.
   kTooFewInliers,     ///< Tracking: too few landmarks agree with a pose.
+  kRepeatedImage,     ///< Posed: the image repeats that of an earlier frame, whose pose it has.
 };
 
 std::string_view ToString(State state);
@@ -45,6 +46,7 @@ struct FrameOutcome {
   Reason reason = Reason::kNone;
   bool is_keyframe = false;
   int segment = kNoId;  ///< Poses compare only within one segment. kNoId before the first.
+  int repeats = kNoId;  ///< Index of the frame whose image this one repeats; or kNoId.
   int num_features = 0;
   int num_matches = 0;  ///< With the reference frame (initializing) or with landmarks (tracking).
   int num_inliers = 0;  ///< Of num_matches, those that agree with the motion or pose.

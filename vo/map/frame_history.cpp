@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "vo/map/frame_history.h"
 
+#include <algorithm>
 #include <iterator>
+
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,6 +24,25 @@ void Update(AdjustmentStatus status, AdjustmentStatus& noted) {
   if (status != AdjustmentStatus::kNone && !has_failed) noted = status;
 }
 
+/// The result of a frame that repeats another one. Where only the rotation of that one is known,
+/// the camera is known to have stood still.
+FrameResult RepeatOf(FrameResult original, const FrameOutcome& repeat) {
+  original.index = repeat.index;
+  original.time_ns = repeat.time_ns;
+  original.repeats = repeat.repeats;
+  original.is_keyframe = false;
+  original.window_adjustment = repeat.window_adjustment;
+  original.camera_adjustment = repeat.camera_adjustment;
+  if (original.world_from_camera) {
+    original.reason = Reason::kRepeatedImage;
+  } else if (original.world_from_camera_rotation) {
+    original.state = State::kRotationOnly;
+    original.reason = Reason::kLowParallax;
+    original.segment = std::max(original.segment, 0);
+  }
+  return original;
+}
+
 }  // namespace
 
 void FrameHistory::CheckNext(TimeNs time_ns) const {
@@ -34,6 +56,16 @@ void FrameHistory::Add(const Frame& frame) {
   outcome.index = frame.index;
   outcome.time_ns = frame.time_ns;
   outcome.num_features = frame.num_keypoints();
+}
+
+int FrameHistory::AddRepeat(TimeNs time_ns) {
+  const FrameOutcome& newest = records_.back().outcome;
+  const int original = newest.repeats == kNoId ? newest.index : newest.repeats;
+  FrameOutcome& outcome = records_.emplace_back().outcome;
+  outcome.index = size() - 1;
+  outcome.time_ns = time_ns;
+  outcome.repeats = original;
+  return outcome.index;
 }
 
 void FrameHistory::AddAdjustments(const UsedAdjustments& used) {
@@ -131,7 +163,13 @@ std::optional<SO3> FrameHistory::RotationOf(int frame, const Map& map) const {
 }
 
 FrameResult FrameHistory::ResultOf(int frame, const Map& map) const {
-  FrameResult result{records_[frame].outcome, {}, {}};
+  const FrameOutcome& outcome = records_[frame].outcome;
+  if (outcome.repeats != kNoId) {
+    FrameResult original = ResultOf(outcome.repeats, map);
+    original.world_from_camera_rotation = RotationOf(outcome.repeats, map);
+    return RepeatOf(std::move(original), outcome);
+  }
+  FrameResult result{outcome, {}, {}};
   if (IsPosed(frame)) result.world_from_camera = PoseOf(frame, map);
   if (IsPosed(frame) || result.state == State::kRotationOnly) {
     result.world_from_camera_rotation = RotationOf(frame, map);

@@ -33,6 +33,9 @@ class FrameHistory {
   void CheckNext(TimeNs time_ns) const;
   /// A frame that was not located yet.
   void Add(const Frame& frame);
+  /// A frame whose image repeats that of the last frame added by Add: it has that one's outcome and
+  /// pose, also where these are found or change afterwards. Returns its index.
+  int AddRepeat(TimeNs time_ns);
 
   FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
 

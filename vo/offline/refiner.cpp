@@ -98,7 +98,7 @@ std::optional<SE3> Locate(const FrameObservations& frame, const SE3& predicted,
 /// Moves all posed frames with the adjusted ones.
 void MoveFrames(const RefinedMap& refined, Refinement& refinement) {
   for (FrameResult& frame : refinement.trajectory.frames) {
-    if (!frame.world_from_camera) continue;
+    if (!frame.world_from_camera || frame.repeats != kNoId) continue;
     refinement.num_moved += !refined.IsAdjusted({frame.segment, frame.index});
     SetPose(refined.Move(frame), frame);
   }
@@ -117,6 +117,15 @@ void LocateFrames(const RefinedMap& refined, int min_inliers, const ObservationL
     ++refinement.num_placed;
     --refinement.num_moved;
   });
+}
+
+/// Gives frames that repeat the image of another one the pose of that one.
+void CopyRepeats(std::vector<FrameResult>& frames) {
+  for (FrameResult& frame : frames) {
+    if (frame.repeats == kNoId) continue;
+    frame.world_from_camera = frames[frame.repeats].world_from_camera;
+    frame.world_from_camera_rotation = frames[frame.repeats].world_from_camera_rotation;
+  }
 }
 
 }  // namespace
@@ -143,6 +152,7 @@ Refinement Refine(const Odometry& odometry, const ObservationLog& log,
   for (const auto& [id, landmark] : refined.landmarks()) refinement.landmarks.push_back(landmark);
   MoveFrames(refined, refinement);
   LocateFrames(refined, min_inliers, log, refinement);
+  CopyRepeats(refinement.trajectory.frames);
   return refinement;
 }
 

@@ -36,7 +36,7 @@ TEST(FrameResultTest, StatesAndReasonsHaveNamesOfTheirOwn) {
   EXPECT_EQ(ToString(State::kTracking), "tracking");
   EXPECT_EQ(ToString(Reason::kLowParallax), "low_parallax");
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Reason::kTooFewInliers); ++i) {
+  for (int i = 0; i <= static_cast<int>(Reason::kRepeatedImage); ++i) {
     EXPECT_TRUE(names.insert(ToString(static_cast<Reason>(i))).second);
     EXPECT_THAT(std::string(ToString(static_cast<Reason>(i))),
                 ::testing::MatchesRegex("[a-z]+(_[a-z]+)*"));

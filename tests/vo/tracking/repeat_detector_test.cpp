@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "vo/tracking/repeat_detector.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace corvo {
+namespace {
+
+/// Random texture with detail down to a few pixels.
+cv::Mat MakeTexture(int width, int height) {
+  cv::RNG random(7);
+  cv::Mat noise(height, width, CV_8UC1);
+  random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(noise, noise, cv::Size(), 3);
+  cv::normalize(noise, noise, 30, 220, cv::NORM_MINMAX);
+  return noise;
+}
+
+cv::Mat Shift(const cv::Mat& image, double dx, double dy) {
+  cv::Mat shifted;
+  cv::warpAffine(image, shifted, cv::Mat(cv::Matx23d(1, 0, dx, 0, 1, dy)), image.size(),
+                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
+  return shifted;
+}
+
+cv::Mat Zoom(const cv::Mat& image, double factor) {
+  cv::Mat zoomed;
+  const cv::Point2f center(image.cols / 2.f, image.rows / 2.f);
+  cv::warpAffine(image, zoomed, cv::getRotationMatrix2D(center, 0, factor), image.size(),
+                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
+  return zoomed;
+}
+
+cv::Mat AddNoise(const cv::Mat& image, double sigma) {
+  cv::RNG random(8);
+  cv::Mat noise(image.size(), CV_16SC1), noisy;
+  random.fill(noise, cv::RNG::NORMAL, 0, sigma);
+  cv::add(image, noise, noisy, cv::noArray(), CV_8U);
+  return noisy;
+}
+
+/// Quantizes the cosine transform of blocks of 8x8 px, like JPEG and most video codecs.
+cv::Mat Compress(const cv::Mat& image, double step) {
+  cv::Mat values;
+  image.convertTo(values, CV_32F);
+  for (int y = 0; y + 8 <= image.rows; y += 8) {
+    for (int x = 0; x + 8 <= image.cols; x += 8) {
+      cv::Mat block = values(cv::Rect(x, y, 8, 8));
+      cv::dct(block, block);
+      for (auto value = block.begin<float>(); value != block.end<float>(); ++value) {
+        *value = static_cast<float>(step * std::round(*value / step));
+      }
+      cv::idct(block, block);
+    }
+  }
+  cv::Mat compressed;
+  values.convertTo(compressed, CV_8U);
+  return compressed;
+}
+
+bool Repeats(const cv::Mat& first, const cv::Mat& second) {
+  RepeatDetector detector;
+  EXPECT_FALSE(detector.Add(ReducedImage(first)));
+  return detector.Add(ReducedImage(second));
+}
+
+class RepeatDetectorTest : public testing::TestWithParam<cv::Size> {
+ protected:
+  cv::Mat image_ = MakeTexture(GetParam().width, GetParam().height);
+};
+
+TEST_P(RepeatDetectorTest, EqualImagesRepeat) { EXPECT_TRUE(Repeats(image_, image_.clone())); }
+
+TEST_P(RepeatDetectorTest, NoiseBrightnessAndCompressionAreNotMotion) {
+  EXPECT_TRUE(Repeats(image_, AddNoise(image_, 2)));
+  EXPECT_TRUE(Repeats(image_, image_ + cv::Scalar(5)));
+  EXPECT_TRUE(Repeats(Compress(image_, 10), Compress(image_, 16)));
+}
+
+TEST_P(RepeatDetectorTest, AShiftOfHalfAPixelIsMotion) {
+  EXPECT_FALSE(Repeats(image_, Shift(image_, 0.5, 0)));
+  EXPECT_FALSE(Repeats(image_, Shift(image_, 0, -0.5)));
+  EXPECT_FALSE(Repeats(image_, Shift(image_, 20, 3)));
+}
+
+TEST_P(RepeatDetectorTest, SlowForwardMotionIsMotion) {
+  EXPECT_FALSE(Repeats(image_, Zoom(image_, 1 + 1.0 / image_.cols)));
+}
+
+TEST_P(RepeatDetectorTest, SlowMotionAddsUp) {
+  RepeatDetector detector;
+  int num_distinct = 0;
+  for (int i = 0; i < 30; ++i)
+    num_distinct += !detector.Add(ReducedImage(Shift(image_, 0.05 * i, 0)));
+  EXPECT_GT(num_distinct, 5);
+}
+
+TEST_P(RepeatDetectorTest, AStandingCameraRepeatsThoughSomethingMovesInItsView) {
+  cv::Mat second = image_.clone();
+  const cv::Rect mover(0, 0, image_.cols / 4, image_.rows / 2);
+  Shift(image_, 9, 0)(mover).copyTo(second(mover));
+  EXPECT_TRUE(Repeats(image_, second));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, RepeatDetectorTest,
+                         testing::Values(cv::Size(320, 240), cv::Size(640, 480),
+                                         cv::Size(1241, 376), cv::Size(1920, 1080)),
+                         [](const auto& param_info) {
+                           return "Width" + std::to_string(param_info.param.width);
+                         });
+
+TEST(RepeatDetectorBlankTest, BlankImagesRepeatOnlyIfTheyAreEqual) {
+  const cv::Mat dark(480, 640, CV_8UC1, cv::Scalar(10)),
+      brighter(480, 640, CV_8UC1, cv::Scalar(11));
+  EXPECT_TRUE(Repeats(dark, dark));
+  EXPECT_FALSE(Repeats(dark, brighter));
+}
+
+}  // namespace
+}  // namespace corvo

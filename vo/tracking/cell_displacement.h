@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+namespace corvo {
+
+/// An image reduced by an integer factor to a width near 320 px, by averaging.
+struct ReducedImage {
+  explicit ReducedImage(const cv::Mat& image);
+
+  cv::Mat pixels;  ///< 8-bit gray.
+  int factor = 1;  ///< Pixels of the image per pixel of `pixels`, along each axis.
+};
+
+/// What became of the content of one cell of a reference image in another image.
+struct CellMotion {
+  bool is_textured = false;  ///< Otherwise nothing is known of the motion.
+  bool is_changed =
+      false;             ///< The content is not that of the reference, displaced by about a pixel.
+  float dx = 0, dy = 0;  ///< Displacement, px of the image.
+};
+
+/// Measures small displacements of the cells of an image against a reference image: one linearized
+/// least-squares step per cell over the displacement and a change of brightness (Lucas and Kanade,
+/// "An iterative image registration technique", 1981), on reduced images.
+class CellDisplacement {
+ public:
+  static constexpr int kCellSize = 10;  ///< px of the reduced image.
+
+  explicit CellDisplacement(const ReducedImage& reference);
+
+  /// One entry per cell in row-major order. `image` has the size of the reference.
+  std::vector<CellMotion> Measure(const ReducedImage& image) const;
+
+  const ReducedImage& reference() const { return reference_; }
+  cv::Size num_cells() const { return num_cells_; }
+  /// The center of a cell relative to that of the image, px of the image.
+  cv::Point2f CenterOf(int cell) const;
+
+ private:
+  struct Texture {
+    double xx = 0, xy = 0, yy = 0;  ///< Sums over the cell of products of the centered gradients.
+    double mean_x = 0, mean_y = 0;  ///< Means of the gradients.
+    bool is_sufficient = false;
+  };
+
+  Texture MeasureTexture(const cv::Rect& cell) const;
+  CellMotion MeasureCell(const cv::Rect& cell, const Texture& texture,
+                         const ReducedImage& image) const;
+  cv::Rect CellAt(int index) const;
+
+  ReducedImage reference_;
+  cv::Mat gradient_x_, gradient_y_;  // 16-bit; twice the derivative.
+  cv::Size num_cells_;
+  std::vector<Texture> textures_;
+};
+
+}  // namespace corvo

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "vo/tracking/repeat_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "vo/math/median.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kMinCells = 20;                 ///< Textured cells.
+constexpr double kMinStillShare = 0.7;        ///< The rest may show things that move by themselves.
+constexpr double kMaxCellDisplacement = 0.3;  ///< px; noise of single cells.
+constexpr double kMaxMedianDisplacement = 0.1;  ///< px; far below the noise of a keypoint.
+
+/// Displacements of cells: along the axes of the image, away from its center, and around it.
+struct Displacements {
+  std::vector<double> x, y, radial, tangential;
+
+  void Add(const CellMotion& motion, const cv::Point2f& center) {
+    x.push_back(motion.dx);
+    y.push_back(motion.dy);
+    const double radius = std::max(1.f, std::hypot(center.x, center.y));
+    radial.push_back((motion.dx * center.x + motion.dy * center.y) / radius);
+    tangential.push_back((motion.dy * center.x - motion.dx * center.y) / radius);
+  }
+
+  bool AreZero() {
+    return std::ranges::all_of(std::vector{&x, &y, &radial, &tangential}, [](auto* values) {
+      return std::abs(Median(std::move(*values))) < kMaxMedianDisplacement;
+    });
+  }
+};
+
+bool IsRepeat(const CellDisplacement& reference, const ReducedImage& image) {
+  const std::vector<CellMotion> motion = reference.Measure(image);
+  int num_textured = 0;
+  Displacements still;
+  for (int i = 0; i < static_cast<int>(motion.size()); ++i) {
+    num_textured += motion[i].is_textured;
+    const bool is_still = motion[i].is_textured && !motion[i].is_changed &&
+                          std::hypot(motion[i].dx, motion[i].dy) < kMaxCellDisplacement;
+    if (is_still) still.Add(motion[i], reference.CenterOf(i));
+  }
+  if (num_textured < kMinCells) {
+    return cv::norm(reference.reference().pixels, image.pixels, cv::NORM_INF) == 0;
+  }
+  return static_cast<double>(still.x.size()) >= kMinStillShare * num_textured && still.AreZero();
+}
+
+}  // namespace
+
+bool RepeatDetector::Add(const ReducedImage& image) {
+  if (reference_ && IsRepeat(*reference_, image)) return true;
+  reference_.emplace(image);
+  return false;
+}
+
+}  // namespace corvo
