@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-constexpr int kMaxFitted = 5;  // The focal length and four numbers of distortion.
+constexpr int kMaxFitted = 5;  // The focal length and four distortion parameters.
 using Difference = Eigen::Matrix<double, kMaxFitted, 1>;
 
 struct ImagedRay {
@@ -58,11 +58,11 @@ NormalEquations<kMaxFitted> BuildEquations(const CameraPrior& prior, const Diffe
   return equations;
 }
 
-/// Near enough to a camera for the fit to begin: at small angles all models are alike.
+/// Returns the initial value of the fit. At small angles all models agree.
 CameraParameters StartOf(const CameraParameters& camera, CameraModel model) {
   CameraParameters start = WithoutDistortion(camera, model);
-  if (model == CameraModel::kFov) start.omega = 0.1;  // At 0 it has no derivative.
-  if (model == CameraModel::kKb4) {                   // The pinhole's tan(theta).
+  if (model == CameraModel::kFov) start.omega = 0.1;  // The derivative vanishes at 0.
+  if (model == CameraModel::kKb4) {                   // The series of the pinhole's tan(theta).
     start.k1 = 1.0 / 3;
     start.k2 = 2.0 / 15;
     start.k3 = 17.0 / 315;

@@ -8,14 +8,15 @@
 
 namespace corvo {
 
-/// Names of the parameters of a model's distortion that are fitted: of a pinhole camera k1 and k2.
+/// Returns the names of the distortion parameters that are fitted; for a pinhole camera k1 and k2.
 std::vector<std::string> DistortionNames(CameraModel model);
 
-/// The focal lengths and principal point of a camera, as one of a model without distortion.
+/// Returns a camera of `model` with the focal lengths and principal point of `camera` and without
+/// distortion parameters.
 CameraParameters WithoutDistortion(const CameraParameters& camera, CameraModel model);
 
-/// The camera of a model that images as nearly as another one does: least squares of pixels, over a
-/// grid of the image, in the focal length and the distortion.
+/// Returns the camera of `model` that best approximates `camera`: the least squares of pixel errors
+/// over a grid of the image, in the focal length and the distortion.
 CameraParameters FitCamera(const Camera& camera, CameraModel model);
 
 }  // namespace corvo

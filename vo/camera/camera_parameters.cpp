@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<CameraModel, 3> kModels = {CameraModel::kPinhole, CameraModel::kKb4,
                                                 CameraModel::kFov};
 
-/// The parameters that bend rays.
+/// Returns the names of the distortion parameters.
 std::span<const std::string_view> DistortionNames(CameraModel model) {
   static constexpr std::array<std::string_view, 5> kPinhole = {"k1", "k2", "p1", "p2", "k3"};
   static constexpr std::array<std::string_view, 4> kKb4 = {"k1", "k2", "k3", "k4"};

@@ -5,24 +5,25 @@
 
 namespace corvo {
 
-/// How a camera bends rays; the equations stand at their projections.
+/// The projection model of a camera. The equations are in the headers of the projections.
 enum class CameraModel {
   kPinhole,  ///< Pinhole with radial-tangential distortion: vo/camera/projection_radtan.h.
   kKb4,  ///< Kannala-Brandt fisheye with four coefficients: vo/camera/projection_kannala_brandt.h.
   kFov,  ///< Field-of-view model, also called ATAN: vo/camera/projection_fov.h.
 };
 
-/// "pinhole-radtan", "kb4" or "fov".
+/// Returns "pinhole-radtan", "kb4" or "fov".
 std::string_view ToString(CameraModel model);
 
-/// The model of that name; "pinhole" is short for pinhole-radtan. Throws corvo::Error on any other.
+/// Returns the model of a name; "pinhole" is short for "pinhole-radtan". Throws corvo::Error for
+/// any other name.
 CameraModel ParseCameraModel(std::string_view name);
 
-/// Whether a model has a parameter of this name, as VisitAll names it.
+/// Returns whether a model has a parameter of this name, as named by VisitAll.
 bool HasParameter(CameraModel model, std::string_view name);
 
-/// The numbers of a Camera. `VisitAll` names each once, with its range and meaning: validation and
-/// the camera files come from it.
+/// The parameters of a Camera. `VisitAll` names each of them once, with its range and meaning;
+/// validation and the camera files are derived from it.
 struct CameraParameters {
   CameraModel model = CameraModel::kPinhole;
   int width = 0;
@@ -30,14 +31,14 @@ struct CameraParameters {
   double fx = 0, fy = 0, cx = 0, cy = 0;
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0, k4 = 0, omega = 0;
 
-  /// Throws corvo::Error naming the first field that is out of range, or that is not zero and
-  /// belongs to other models only.
+  /// Throws corvo::Error naming the first field that is out of range, or that is nonzero although
+  /// the model does not have it.
   void Validate() const;
-  /// Whether Validate does not throw.
+  /// Returns whether Validate does not throw.
   bool IsValid() const;
 
-  /// Calls `field(name, value, min, max, meaning)` in order, as orb::ExtractorOptions::Visit, for
-  /// the parameters that the model has.
+  /// Calls `field(name, value, min, max, meaning)` for the parameters that the model has, in order;
+  /// see orb::ExtractorOptions::Visit.
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     VisitAll(self, [&](const char* name, auto& value, auto min, auto max, const char* meaning) {
@@ -45,7 +46,7 @@ struct CameraParameters {
     });
   }
 
-  /// As Visit, for the parameters of every model.
+  /// Like Visit, but for the parameters of every model.
   template <typename Self, typename Visitor>
   static void VisitAll(Self& self, Visitor&& field) {
     field("width", self.width, 1, 100000, "image width, px");

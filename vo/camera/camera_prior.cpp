@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kFocal = "focal";
 
-/// The field of that name; null if there is none that an adjustment may move.
+/// Returns the field of that name, or null if there is none or it must not vary in an adjustment.
 template <typename Parameters>
 auto FindField(Parameters& camera, const std::string& name) -> decltype(&camera.fx) {
   decltype(&camera.fx) found = nullptr;

@@ -12,24 +12,24 @@
 
 namespace corvo {
 
-/// A number of a camera that is to be estimated.
+/// A parameter of a camera that is to be estimated.
 struct FreeParameter {
-  /// Of a field of CameraParameters that the model has ("fx", "fy", "cx", "cy", "k1", ...); or
-  /// "focal", a factor of both fx and fy.
+  /// The name of a field of CameraParameters that the model has ("fx", "fy", "cx", "cy", "k1",
+  /// ...), or "focal", a common factor of fx and fy.
   std::string name;
-  /// Standard deviation of the given value, in its own unit (focal: as a share of it); infinity:
-  /// nothing is known.
+  /// The standard deviation of the given value in the unit of the value, or as a share of it for
+  /// "focal". Infinity if nothing is known.
   double sigma = std::numeric_limits<double>::infinity();
 
   bool operator==(const FreeParameter&) const = default;
 };
 
-/// Names of what may be free: "focal" and every parameter of the model.
+/// Returns the names of all parameters that may be free: "focal" and every parameter of the model.
 std::vector<std::string> FreeParameterNames(CameraModel model);
 
-/// A camera that is given, and what of it is not known exactly: a calibration is a measurement.
-/// Every other camera is told by its difference d from it, one number a free parameter, in their
-/// order:
+/// A given camera and those of its parameters that are uncertain: a calibration is a measurement.
+/// Any other camera is described by its difference d from the given one, with one entry per free
+/// parameter, in the order of `free`:
 ///
 ///     focal: fx = exp(d) fx_given, fy = exp(d) fy_given          any other: value = given + d
 struct CameraPrior {
@@ -38,53 +38,59 @@ struct CameraPrior {
 
   int num_free() const { return static_cast<int>(free.size()); }
 
-  /// Throws corvo::Error naming the first parameter that the model does not have, that is there
-  /// twice (focal is fx and fy), or whose sigma is not over 0; and as CameraParameters::Validate.
+  /// Throws corvo::Error if `given` is invalid (see CameraParameters::Validate), or naming the
+  /// first free parameter that the model does not have, that occurs twice ("focal" counts as fx and
+  /// fy) or whose sigma is not above 0.
   void Validate() const;
 
-  /// May be out of a camera's range.
+  /// Returns the camera that differs from the given one by `difference`. It may be out of range.
   CameraParameters Apply(const Eigen::VectorXd& difference) const;
-  /// The inverse of Apply, for a camera whose other numbers are those given.
+  /// Returns the inverse of Apply for a camera whose fixed parameters are those of `given`.
   Eigen::VectorXd Difference(const CameraParameters& camera) const;
-  /// χ² of a difference: the sum of (d / sigma)².
+  /// Returns the χ² of a difference: the sum of (d / sigma)².
   double SquaredError(const Eigen::VectorXd& difference) const;
-  /// Whether a difference is one that the sigmas allow: its χ² lies under the 99.9% quantile. If
-  /// not, the camera is not the one that was given, and what is left over of the error has been
-  /// pressed into parameters that cannot express it.
+  /// Returns whether a difference is consistent with the sigmas: its χ² is at most the 99.9%
+  /// quantile. If it is not, the camera is not the given one, and the remaining error was absorbed
+  /// by parameters that cannot express it.
   bool PassesChiSquareTest(const Eigen::VectorXd& difference) const;
 
-  /// What the prior is worth beside images whose information counts `information` times.
+  /// Returns the prior with every sigma multiplied by sqrt(`information`). Used with unweighted
+  /// observations, it has the same effect as this prior with observations whose information counts
+  /// `information` times.
   CameraPrior Inflated(double information) const;
 
-  /// The prior of the same images resized, see Camera::Resized.
+  /// Returns the prior of the same images resized, see Camera::Resized.
   CameraPrior Resized(int width, int height) const;
 
   bool operator==(const CameraPrior&) const = default;
 };
 
-/// A camera of which no sigmas are given: free are the focal length and, as a measured camera keeps
-/// a residual distortion, which bends the scale of a map wherever the camera turns, k1 and k2; of
-/// the pinhole model only. Its principal point is not told from a turn of the camera, and stays.
+/// Returns the prior of a camera that is given without sigmas. For the pinhole model the focal
+/// length, k1 and k2 are free: a calibrated camera keeps a residual distortion, which bends the
+/// scale of a map wherever the camera turns. The principal point is fixed, since it cannot be
+/// distinguished from a rotation of the camera. Other models have no free parameters.
 CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options);
 
-/// What is known of a camera: its difference from what was given, and how surely.
+/// An estimate of a camera: its difference from the given camera, and the covariance of the
+/// difference.
 struct CameraEstimate {
   Eigen::VectorXd difference;
   Eigen::MatrixXd covariance;
 };
 
-/// What is known before the first image.
+/// Returns the estimate before the first image: no difference, with the variances of the prior.
 CameraEstimate PriorEstimate(const CameraPrior& prior);
 
-/// The free parameters, known as the covariance of their difference says.
+/// Returns the free parameters with the standard deviations given by the covariance of their
+/// difference.
 std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
                                      const Eigen::MatrixXd& covariance);
 
-/// What of the information about a parameter came from the images, 0 to 1: the rest was known
-/// before. `sigma` is what is known with them.
+/// Returns the share of the information about a parameter that comes from the images, 0 to 1; the
+/// rest comes from the prior `parameter`. `sigma` is the posterior standard deviation.
 double InformationGain(const FreeParameter& parameter, double sigma);
 
-/// A parameter that the camera's model has; of "focal" it is fx.
+/// Returns the value of a parameter that the camera's model has; for "focal" it is fx.
 double ValueOf(const CameraParameters& camera, const std::string& name);
 
 }  // namespace corvo

@@ -9,9 +9,9 @@
 namespace corvo {
 namespace {
 
-constexpr double kStep = 1e-6;  // Small against a distortion, large against rounding.
+constexpr double kStep = 1e-6;  // Small compared with a distortion, large compared with rounding.
 
-/// d (x_d, y_d) / d p1 (axis 1) or d p2 (axis 0) of a point at (x/z, y/z).
+/// Returns d (x_d, y_d) / d p1 (axis 1) or d p2 (axis 0) of a point at (x/z, y/z).
 Eigen::Vector2d TangentialEffect(const Eigen::Vector2d& normalized, int axis) {
   Eigen::Vector2d effect = Eigen::Vector2d::Constant(2 * normalized.x() * normalized.y());
   effect[axis] = normalized.squaredNorm() + 2 * normalized[axis] * normalized[axis];

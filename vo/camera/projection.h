@@ -8,21 +8,21 @@
 
 namespace corvo {
 
-/// What the projections of all camera models share. Each takes an undistorted point
-/// (a, b) = (x/z, y/z) to a distorted one, in which the image is fx, fy, cx, cy away; r, the
+/// Common parts of the projections of all camera models. Each projection maps an undistorted point
+/// (a, b) = (x/z, y/z) to a distorted point, which fx, fy, cx and cy map to a pixel; r, the
 /// distance from the axis, is tan(theta) for the angle theta between ray and axis.
 
-/// A wide lens is used up to this angle from its axis, radians (80 degrees): rays are kept as
-/// (x/z, y/z), whose noise grows without bound towards 90.
+/// The largest angle from the axis at which a wide lens is used, radians (80 degrees): rays are
+/// stored as (x/z, y/z), whose noise grows without bound toward 90 degrees.
 inline constexpr double kMaxAngle = 80 * std::numbers::pi / 180;
 
-/// Distorted coordinates, and their derivative by the undistorted ones.
+/// The distorted coordinates and their derivative with respect to the undistorted ones.
 struct Distorted {
   Eigen::Vector2d point;
   Eigen::Matrix2d jacobian;
 };
 
-/// The point moved along its radius from r to `radius` = g(r), where `slope` = dg/dr.
+/// Returns the point moved along its radius from r to `radius` = g(r), where `slope` = dg/dr.
 inline Distorted MoveRadially(const Eigen::Vector2d& undistorted, double r, double radius,
                               double slope) {
   if (r == 0) return {slope * undistorted, slope * Eigen::Matrix2d::Identity()};
@@ -33,10 +33,11 @@ inline Distorted MoveRadially(const Eigen::Vector2d& undistorted, double r, doub
 }
 
 inline constexpr int kMaxIterations = 50;
-inline constexpr double kTolerance = 1e-12;  ///< Of a coordinate, relative to 1 + itself.
+inline constexpr double kTolerance = 1e-12;  ///< Final step size relative to 1 + coordinate.
 
-/// The t in [0, high] with value(t) = `target`, by Newton inside a shrinking bracket; about `high`
-/// where there is none. `value` grows with t from value(0) = 0; `slope` is its derivative.
+/// Returns the t in [0, high] with value(t) = `target`, found by Newton's method inside a shrinking
+/// bracket, or about `high` if there is none. `value` grows with t from value(0) = 0; `slope` is
+/// its derivative.
 template <typename Value, typename Slope>
 double InvertIncreasing(const Value& value, const Slope& slope, double high, double target) {
   double low = 0, t = std::min(target, high);

@@ -8,19 +8,19 @@
 namespace corvo::kannala_brandt {
 namespace {
 
-/// d(theta).
+/// Returns d(theta).
 double DistortAngle(const CameraParameters& p, double theta) {
   const double s = theta * theta;
   return theta * (1 + s * (p.k1 + s * (p.k2 + s * (p.k3 + s * p.k4))));
 }
 
-/// dd/dtheta.
+/// Returns dd/dtheta.
 double AngleSlope(const CameraParameters& p, double theta) {
   const double s = theta * theta;
   return 1 + s * (3 * p.k1 + s * (5 * p.k2 + s * (7 * p.k3 + s * 9 * p.k4)));
 }
 
-/// The value at s of a polynomial with these coefficients, the constant first.
+/// Returns the value at s of a polynomial with these coefficients, lowest degree first.
 double Evaluate(const std::vector<double>& coefficients, double s) {
   double value = 0;
   for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) value = value * s + *c;
@@ -35,7 +35,7 @@ std::vector<double> Differentiate(const std::vector<double>& coefficients) {
   return derivative;
 }
 
-/// Where a polynomial's sign changes between `low` and `high`.
+/// Returns the position between `low` and `high` at which the sign of a polynomial changes.
 double Bisect(const std::vector<double>& coefficients, double low, double high) {
   const bool is_positive = Evaluate(coefficients, low) > 0;
   for (double middle = 0.5 * (low + high); middle > low && middle < high;
@@ -45,8 +45,8 @@ double Bisect(const std::vector<double>& coefficients, double low, double high) 
   return low;
 }
 
-/// Where a polynomial's sign changes in (0, end), ascending: between the roots of its derivative it
-/// is monotone.
+/// Returns the positions in (0, end) at which the sign of a polynomial changes, in ascending order.
+/// Between the roots of its derivative the polynomial is monotonic.
 std::vector<double> FindSignChanges(const std::vector<double>& coefficients, double end) {
   if (coefficients.size() < 2) return {};
   std::vector<double> ends = FindSignChanges(Differentiate(coefficients), end);
@@ -71,7 +71,8 @@ Distorted Distort(const CameraParameters& p, const Eigen::Vector2d& undistorted)
 }
 
 double MaxRadius(const CameraParameters& p) {
-  const std::vector<double> slope = {1, 3 * p.k1, 5 * p.k2, 7 * p.k3, 9 * p.k4};  // Of theta².
+  // The coefficients of AngleSlope as a polynomial in theta².
+  const std::vector<double> slope = {1, 3 * p.k1, 5 * p.k2, 7 * p.k3, 9 * p.k4};
   const std::vector<double> turns = FindSignChanges(slope, kMaxAngle * kMaxAngle);
   return std::tan(turns.empty() ? kMaxAngle : std::sqrt(turns.front()));
 }

@@ -17,11 +17,11 @@ namespace corvo::kannala_brandt {
 
 Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
 
-/// The tangent of the angle up to which d grows, at most kMaxAngle.
+/// Returns the tangent of the angle up to which d grows, at most kMaxAngle.
 double MaxRadius(const CameraParameters& parameters);
 
-/// The undistorted point within `max_radius` that is distorted to `target`, to rounding; none where
-/// there is none.
+/// Returns the undistorted point within `max_radius` that is distorted to `target`, exact to
+/// rounding, or std::nullopt if there is none.
 std::optional<Eigen::Vector2d> Undistort(const CameraParameters& parameters, double max_radius,
                                          const Eigen::Vector2d& target);
 

@@ -11,18 +11,18 @@
 namespace corvo::radtan {
 namespace {
 
-/// c(s) = 1 + k1 s + k2 s² + k3 s³, s = r².
+/// Returns c(s) = 1 + k1 s + k2 s² + k3 s³, s = r².
 double RadialFactor(const CameraParameters& p, double s) {
   return 1 + s * (p.k1 + s * (p.k2 + s * p.k3));
 }
 
-/// d(r c(r²))/dr as a function of s = r².
+/// Returns d(r c(r²))/dr as a function of s = r².
 double RadialSlope(const CameraParameters& p, double s) {
   return 1 + s * (3 * p.k1 + s * (5 * p.k2 + s * 7 * p.k3));
 }
 
-/// The positive s, ascending, between which RadialSlope is monotone: the roots of its derivative
-/// 3 k1 + 10 k2 s + 21 k3 s².
+/// Returns the positive s, in ascending order, between which RadialSlope is monotonic: the roots of
+/// its derivative 3 k1 + 10 k2 s + 21 k3 s².
 std::vector<double> SlopeTurns(const CameraParameters& p) {
   std::array<double, 2> roots = {0, 0};
   const double discriminant = 25 * p.k2 * p.k2 - 63 * p.k1 * p.k3;
@@ -38,7 +38,7 @@ std::vector<double> SlopeTurns(const CameraParameters& p) {
   return turns;
 }
 
-/// Where RadialSlope falls to 0 between `low` (slope > 0) and `high` (slope <= 0).
+/// Returns the s between `low` (slope > 0) and `high` (slope <= 0) at which RadialSlope falls to 0.
 double BisectSlope(const CameraParameters& p, double low, double high) {
   for (double middle = 0.5 * (low + high); middle > low && middle < high;
        middle = 0.5 * (low + high)) {
@@ -47,14 +47,16 @@ double BisectSlope(const CameraParameters& p, double low, double high) {
   return low;
 }
 
-/// The r in [0, max_radius] with r c(r²) = distorted_radius; max_radius where there is none.
+/// Returns the r in [0, max_radius] with r c(r²) = distorted_radius, or about max_radius if there
+/// is none.
 double UndistortRadius(const CameraParameters& p, double max_radius, double distorted_radius) {
   return InvertIncreasing([&p](double r) { return r * RadialFactor(p, r * r); },
                           [&p](double r) { return RadialSlope(p, r * r); }, max_radius,
                           distorted_radius);
 }
 
-/// Newton on the whole model from a close start; none unless it converges inside max_radius.
+/// Applies Newton's method to the complete model from a close start. Returns std::nullopt unless it
+/// converges inside max_radius.
 std::optional<Eigen::Vector2d> UndistortFrom(const CameraParameters& p, double max_radius,
                                              const Eigen::Vector2d& target, Eigen::Vector2d point) {
   for (int i = 0; i < kMaxIterations; ++i) {

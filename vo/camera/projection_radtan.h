@@ -16,12 +16,12 @@ namespace corvo::radtan {
 
 Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
 
-/// Up to here r c(r) grows with r, beyond it rays would meet the image twice. Infinity if it
-/// always grows.
+/// Returns the radius r up to which r c grows with r; beyond it, rays would meet the image twice.
+/// Infinity if r c always grows.
 double MaxRadius(const CameraParameters& parameters);
 
-/// The undistorted point within `max_radius` that is distorted to `target`, to rounding; none where
-/// there is none.
+/// Returns the undistorted point within `max_radius` that is distorted to `target`, exact to
+/// rounding, or std::nullopt if there is none.
 std::optional<Eigen::Vector2d> Undistort(const CameraParameters& parameters, double max_radius,
                                          const Eigen::Vector2d& target);
 

@@ -6,27 +6,28 @@
 
 namespace corvo {
 
-/// Why a bundle adjustment ended.
+/// The reason why a bundle adjustment ended.
 enum class AdjustmentStatus : std::uint8_t {
-  kNone,            ///< There was none.
-  kConverged,       ///< The cost changes no more.
-  kIterationLimit,  ///< The iterations are used up; the cost is lower than before.
+  kNone,            ///< No adjustment was run.
+  kConverged,       ///< The cost no longer changes.
+  kIterationLimit,  ///< The iteration limit was reached; the cost decreased.
   kNoObservations,  ///< There is nothing to adjust.
   kSolverFailed,    ///< No step lowers the cost, or the numbers are not finite.
-  kInvalidCamera,   ///< The solution is not a camera.
+  kInvalidCamera,   ///< The solution is not a valid camera.
   kNotImproved,     ///< The robust cost over all observations would be higher than before.
-  kCanceled,        ///< It was asked to stop.
+  kCanceled,        ///< The caller canceled the adjustment.
 };
 
-/// "none", "converged", "iteration_limit", ...
+/// Returns "none", "converged", "iteration_limit", ...
 std::string_view ToString(AdjustmentStatus status);
 
-/// Whether the adjusted poses, points and camera are used. Otherwise everything is as it was.
+/// Returns whether the adjusted poses, points and camera are used. Otherwise they are left
+/// unchanged.
 inline bool IsUsable(AdjustmentStatus status) {
   return status == AdjustmentStatus::kConverged || status == AdjustmentStatus::kIterationLimit;
 }
 
-/// How the adjustments ended whose results were used; kNone where none was due.
+/// The final statuses of the adjustments whose results were used; kNone if no adjustment was due.
 struct UsedAdjustments {
   AdjustmentStatus window = AdjustmentStatus::kNone;
   AdjustmentStatus camera = AdjustmentStatus::kNone;

@@ -8,7 +8,8 @@
 
 namespace corvo {
 
-/// Throws an Error of CheckRange whose field is "<section>.<name>".
+/// A visitor that throws the corvo::Error of CheckRange for a field out of range, which it names
+/// "<section>.<name>".
 class FieldRangeCheck {
  public:
   explicit FieldRangeCheck(std::string section) : section_(std::move(section)) {}
@@ -33,8 +34,8 @@ void VisitFileFields(Options& options, Visitor&& field) {
   if constexpr (requires { Section::Visit(options, field); }) Section::Visit(options, field);
 }
 
-/// Visits all fields of an options struct: the keys of configuration files, and what only users of
-/// the library set.
+/// Visits all fields of an options struct: the keys of configuration files and the fields that only
+/// users of the library set.
 template <typename Options, typename Visitor>
 void VisitAllFields(Options& options, Visitor&& field) {
   using Section = std::remove_const_t<Options>;

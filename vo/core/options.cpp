@@ -9,7 +9,7 @@
 namespace corvo {
 namespace {
 
-/// Throws what the options' own Validate() throws, if they have one, as "<section>.<message>".
+/// Calls Validate() of the options, if they have it, and prefixes its error with "<section>.".
 template <typename Options>
 void CheckTogether(const char* section, const Options& options) {
   if constexpr (requires { options.Validate(); }) {

@@ -7,14 +7,14 @@ namespace corvo {
 
 // Options structs are the manual: `Visit` and `VisitAdvanced` name each field once, with its range
 // and its meaning. The fields of `Visit` are the keys of configuration files; those of
-// `VisitAdvanced` are for users of the library. Validation covers both. The argument convention is
-// that of orb::ExtractorOptions::Visit.
+// `VisitAdvanced` are for users of the library. Validation covers both. The arguments are those of
+// orb::ExtractorOptions::Visit.
 //
-// Where a value comes from stands beside it: a paper, or this project's own measurement,
-// docs/development/ablation.md ("ablation").
+// A comment beside each value states its source: a paper, or this project's own measurements in
+// docs/ablation.md ("ablation").
 
-/// Descriptor distances below which two keypoints may show the same point. They suit the learned
-/// binary tests; for `extractor.pattern: brief` use 80 and 50.
+/// Descriptor distances up to which two keypoints may match. The defaults suit the learned binary
+/// tests; for `extractor.pattern: brief` use 80 and 50.
 struct MatchingOptions {
   int max_tracking_distance = 95;  // ablation
   int max_distance = 65;           // ablation
@@ -28,14 +28,14 @@ struct MatchingOptions {
   }
 };
 
-/// How precisely images measure points, and from where a landmark can be seen.
+/// The precision of image measurements, and the conditions under which a landmark is visible.
 struct MeasurementOptions {
   double keypoint_sigma_px = 1.0;    // ablation
   double aligned_sigma_px = 0.6;     // ablation
   double min_view_cosine = 0.5;      // Mur-Artal et al., "ORB-SLAM", 2015, V-D.
   double distance_tolerance = 1.25;  // ablation
   double min_correlation = 0.8;      // ablation
-  double sigma_along_ray = 10;       // Any value far above 1 stands for "unknown".
+  double sigma_along_ray = 10;       // Any value far above 1 means "unknown".
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
@@ -59,7 +59,7 @@ struct MeasurementOptions {
   }
 };
 
-/// Two-view initialization.
+/// Options of two-view initialization.
 struct InitializerOptions {
   int min_matches = 100;                  // Mur-Artal et al., 2015, IV.
   double min_parallax_deg = 1.0;          // Mur-Artal et al., 2015, IV.
@@ -115,7 +115,7 @@ struct InitializerOptions {
   }
 };
 
-/// The pose of one frame from its landmarks.
+/// Options of the pose optimization of one frame from its landmarks.
 struct PoseOptimizerOptions {
   int num_rounds = 4;         // ablation
   int num_robust_rounds = 2;  // ablation
@@ -130,7 +130,7 @@ struct PoseOptimizerOptions {
   }
 };
 
-/// Locating a frame in the map.
+/// Options for locating a frame in the map.
 struct TrackerOptions {
   double search_radius_px = 15;        // ablation
   int min_inliers = 20;                // ablation
@@ -180,7 +180,7 @@ struct TrackerOptions {
   }
 };
 
-/// Finding the track again after it was lost.
+/// Options of relocalization after tracking was lost.
 struct RelocalizerOptions {
   int max_keyframes = 200;  // Bounds memory.
   double max_lost_s = 1.0;  // ablation
@@ -203,7 +203,7 @@ struct RelocalizerOptions {
   }
 };
 
-/// When a frame becomes a keyframe.
+/// Options that decide when a frame becomes a keyframe.
 struct KeyframeOptions {
   double max_tracked_share = 0.75;  // ablation
   double min_seeing_share = 0.07;   // ablation
@@ -220,7 +220,7 @@ struct KeyframeOptions {
   }
 };
 
-/// How landmarks are created and fused around a new keyframe.
+/// Options for creating and fusing landmarks around a new keyframe.
 struct LandmarkOptions {
   int num_neighbors = 6;          // ablation
   double min_parallax_deg = 0.6;  // ablation
@@ -263,7 +263,7 @@ struct LandmarkOptions {
   }
 };
 
-/// Which landmarks and keyframes are removed.
+/// Options that decide which landmarks and keyframes are removed.
 struct CullingOptions {
   double min_found_share = 0.25;     // ablation
   int num_probation_keyframes = 3;   // ablation
@@ -290,7 +290,7 @@ struct CullingOptions {
   }
 };
 
-/// Windowed bundle adjustment.
+/// Options of windowed bundle adjustment.
 struct BundleAdjusterOptions {
   int max_keyframes = 10;         // ablation
   int max_iterations = 4;         // ablation
@@ -323,10 +323,10 @@ struct BundleAdjusterOptions {
   }
 };
 
-/// Estimating the camera while it runs.
+/// Options for estimating the camera during tracking.
 struct CalibrationOptions {
   bool enabled = true;
-  double focal_sigma = 0.002;         // What a calibration with a board states.
+  double focal_sigma = 0.002;         // The value that a board calibration states.
   double k1_sigma = 0.03;             // ablation
   double k2_sigma = 0.02;             // ablation
   int max_keyframes = 60;             // ablation
@@ -378,7 +378,7 @@ struct CalibrationOptions {
   }
 };
 
-/// Everything that decides the output of Odometry, apart from the camera and the images.
+/// All options that determine the output of Odometry, apart from the camera and the images.
 struct OdometryOptions {
   orb::ExtractorOptions extractor;
   MatchingOptions matching;
@@ -395,7 +395,7 @@ struct OdometryOptions {
 
   /// Throws corvo::Error naming the first field out of range, as "<section>.<field>".
   void Validate() const;
-  /// The same options, validated.
+  /// Validates the options and returns a copy.
   OdometryOptions Checked() const;
 
   /// Calls `section(name, options)` for every part.

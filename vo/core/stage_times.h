@@ -6,7 +6,7 @@
 
 namespace corvo {
 
-/// Wall time of the stages of one frame, ms. Never part of a result that must be reproducible.
+/// The wall time of the stages of one frame, ms. Never part of a result that must be reproducible.
 struct StageTimes {
   double extract_ms = 0;  ///< Feature extraction.
   double locate_ms = 0;   ///< Initialization, tracking and relocalization.
@@ -14,11 +14,11 @@ struct StageTimes {
   double adjust_ms = 0;   ///< Starting bundle adjustments and waiting for their results.
 };
 
-/// Measures the stages of a frame. A stage inside another one stops the outer one's clock, so that
-/// no time counts twice.
+/// A clock for the stages of a frame. A nested stage stops the clock of the enclosing one, so that
+/// no time is counted twice.
 class StageClock {
  public:
-  /// A stage lasts as long as this object.
+  /// A stage, which lasts as long as this object.
   class Scope {
    public:
     Scope(StageClock& clock, double StageTimes::*stage) : clock_(clock) { clock_.Enter(stage); }
@@ -30,7 +30,7 @@ class StageClock {
     StageClock& clock_;
   };
 
-  /// Starts again from 0. Only outside all stages.
+  /// Resets all times to 0. Must be called outside all stages.
   void Reset() { times_ = StageTimes(); }
   const StageTimes& times() const { return times_; }
 

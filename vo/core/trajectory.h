@@ -8,26 +8,26 @@
 
 namespace corvo {
 
-/// A pose at a time. x_in_world = world_from_camera * x_in_camera.
+/// A pose and its timestamp: x_in_world = world_from_camera * x_in_camera.
 struct TimedPose {
   TimeNs time_ns = 0;
   SE3 world_from_camera;
 };
 
-/// Poses in ascending time.
+/// Poses in ascending order of time.
 using PoseSequence = std::vector<TimedPose>;
 
-/// What became of every input frame, one entry a frame, in input order.
+/// The results of all input frames, one per frame, in input order.
 struct Trajectory {
   std::vector<FrameResult> frames;
 
   PoseSequence PosedFrames() const;
-  /// The rotation of every frame that has one, posed or not, all at the origin.
+  /// Returns the rotation of every frame that has one, posed or not, with a translation of zero.
   PoseSequence Rotations() const;
-  double PosedShare() const;  ///< Of all frames, 0 to 1.
+  double PosedShare() const;  ///< Share of frames that are posed, 0 to 1.
 };
 
-/// With `scale` times the lengths.
+/// Returns the trajectory with all translations multiplied by `scale`.
 Trajectory Scale(double scale, Trajectory trajectory);
 
 }  // namespace corvo

@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-/// Two unit vectors at right angles to a unit vector and to each other.
+/// Returns two unit vectors orthogonal to a unit vector and to each other.
 Eigen::Matrix<double, 3, 2> TangentBasis(const Eigen::Vector3d& unit) {
   const Eigen::Vector3d first = unit.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> basis;
@@ -16,14 +16,15 @@ Eigen::Matrix<double, 3, 2> TangentBasis(const Eigen::Vector3d& unit) {
   return basis;
 }
 
-/// R ← Exp(ω) R, b ← b + B τ, normalized, with a step of ω and τ.
+/// Applies a step of ω and τ: R ← Exp(ω) R, b ← b + B τ, normalized.
 EpipolarMotion Plus(const EpipolarMotion& motion, const Eigen::Matrix<double, 5, 1>& step) {
   return {SO3::Exp(step.head<3>()) * motion.second_from_first,
           (motion.baseline + TangentBasis(motion.baseline) * step.tail<2>()).normalized()};
 }
 
-/// The Sampson distance of a match, (s · (b × Rf)) / n in units of the match's sigma, with n² the
-/// sum of the squared norms of its two epipolar lines' normals, and its derivative by a step.
+/// The Sampson distance of a match and its derivative with respect to a step: (s · (b × Rf)) / n in
+/// units of the sigma of the match, where n² is the sum of the squared norms of the normals of its
+/// two epipolar lines.
 struct SampsonDistance {
   double value;
   Eigen::Matrix<double, 5, 1> by_step;
@@ -31,7 +32,7 @@ struct SampsonDistance {
 
 SampsonDistance ComputeDistance(const RayMatch& match, const EpipolarMotion& motion,
                                 const Eigen::Matrix<double, 3, 2>& basis) {
-  constexpr double kNoBaseline = 1e-12;  // A ray along the baseline has no lines.
+  constexpr double kNoBaseline = 1e-12;  // A ray along the baseline has no epipolar line.
   const SO3& rotation = motion.second_from_first;
   const Eigen::Vector3d& baseline = motion.baseline;
   const Eigen::Vector3d first = rotation * match.first.homogeneous();

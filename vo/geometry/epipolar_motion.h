@@ -12,16 +12,17 @@
 
 namespace corvo {
 
-/// A motion between two views but for its length: the essential matrix is [baseline]x R.
+/// A motion between two views up to the length of its translation: the essential matrix is
+/// [baseline]x R.
 struct EpipolarMotion {
   SO3 second_from_first;
-  Eigen::Vector3d baseline;  ///< The first camera in the second's frame, a unit vector.
+  Eigen::Vector3d baseline;  ///< Unit vector to the first camera, in the second's frame.
 };
 
-/// The motion of least robust (Cauchy) Sampson error that is reached from `start` (Hartley and
-/// Zisserman, 11.4.3), and its cost: the sum of log(1 + e²), e in units of each match's sigma. The
-/// rotation of `start` is a measurement, too, with a standard deviation of `rotation_sigma` about
-/// each axis, radians.
+/// Returns the motion of least robust (Cauchy) Sampson error that is reached from `start` (Hartley
+/// and Zisserman, 11.4.3), and its cost: the sum of log(1 + e²), with e in units of the sigma of
+/// each match. The rotation of `start` is a measurement, too, with a standard deviation of
+/// `rotation_sigma` about each axis, radians.
 Minimum<EpipolarMotion> FitEpipolarMotion(
     const std::vector<RayMatch>& matches, const EpipolarMotion& start,
     double rotation_sigma = std::numeric_limits<double>::infinity());

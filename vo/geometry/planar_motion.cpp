@@ -16,7 +16,7 @@ double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// The homography with the sign that keeps points in front of the camera there.
+/// Returns the homography with the sign that keeps points in front of the camera.
 Eigen::Matrix3d WithPositiveDepth(const Eigen::Matrix3d& homography,
                                   const std::vector<RayMatch>& matches,
                                   const std::vector<char>& is_inlier) {
@@ -29,7 +29,7 @@ Eigen::Matrix3d WithPositiveDepth(const Eigen::Matrix3d& homography,
   return sum < 0 ? Eigen::Matrix3d(-homography) : homography;
 }
 
-/// The share of the inliers' rays that meet the plane in front of the first camera.
+/// Returns the share of the inliers' rays that meet the plane in front of the first camera.
 double ShareBeforePlane(const Eigen::Vector3d& normal, const std::vector<RayMatch>& matches,
                         const std::vector<char>& is_inlier) {
   int num_inliers = 0, num_in_front = 0;
@@ -60,7 +60,7 @@ std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& homography,
                                               const std::vector<RayMatch>& matches,
                                               const std::vector<char>& is_inlier,
                                               double min_share_before_plane) {
-  constexpr double kSamePlaneDeg = 1;  // Moving along the normal, both solutions are one.
+  constexpr double kSamePlaneDeg = 1;  // For a motion along the normal, both solutions coincide.
   cv::Mat matrix;
   cv::eigen2cv(WithPositiveDepth(homography, matches, is_inlier), matrix);
   std::vector<cv::Mat> rotations, translations, normals;

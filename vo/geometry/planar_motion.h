@@ -12,28 +12,31 @@
 namespace corvo {
 
 /// A motion between two views of a plane, and the plane: H = R + t nᵀ maps rays of the first view
-/// to the second, (R, t) = second_from_first, n · x_in_first = 1.
+/// to the second, with (R, t) = second_from_first and n · x_in_first = 1.
 struct PlanarMotion {
-  SE3 second_from_first;            ///< In units of the plane's distance from the first camera.
-  Eigen::Vector3d normal_in_first;  ///< Unit vector, away from the first camera.
+  SE3 second_from_first;  ///< Translation in units of the plane's distance from the first camera.
+  Eigen::Vector3d normal_in_first;  ///< Unit vector that points away from the first camera.
 };
 
-/// The motions that a homography allows if the inliers lie in front of both cameras: one or, in
-/// general, two (Malis and Vargas, "Deeper understanding of the homography decomposition for
-/// vision-based control", 2007): at least `min_share_before_plane` of the rays must meet the plane
-/// in front of the first camera. None for a rotation, which shows no plane.
+/// Returns the motions that a homography allows if the inliers lie in front of both cameras: one
+/// or, in general, two (Malis and Vargas, "Deeper understanding of the homography decomposition for
+/// vision-based control", 2007). At least `min_share_before_plane` of the inliers' rays must meet
+/// the plane in front of the first camera. Returns no motion for a pure rotation, which does not
+/// determine a plane.
 std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& second_from_first_homography,
                                               const std::vector<RayMatch>& matches,
                                               const std::vector<char>& is_inlier,
                                               double min_share_before_plane = 0.98);
 
-/// Tells the true motion from its twin by waiting: the plane stays where it is, so its normal in
-/// the reference view is among those of every view; the twin's moves with the motion.
+/// Distinguishes the true motion from its twin over several views: the plane is static, so its
+/// normal in the reference view is among the normals of every view, whereas the twin's normal
+/// varies with the motion.
 class PlaneHypotheses {
  public:
-  /// Of a new view's motions from the frame `reference`, those whose plane is among the ones left
-  /// by the views before, normals within `max_angle_deg` being the same plane's. None for the first
-  /// view of a reference, and where none agrees, which starts again.
+  /// Returns those `motions` of a new view, relative to the frame `reference`, whose plane is among
+  /// the planes left by the previous views; normals within `max_angle_deg` belong to the same
+  /// plane. Returns no motion for the first view of a reference, or if no plane matches, in which
+  /// case the planes of `motions` replace the previous ones.
   std::vector<PlanarMotion> Keep(int reference, const std::vector<PlanarMotion>& motions,
                                  double max_angle_deg);
 

@@ -17,7 +17,7 @@ namespace {
 
 Eigen::Vector3d UnitRay(const Eigen::Vector2d& ray) { return ray.homogeneous().normalized(); }
 
-/// Rotation that minimizes the weighted squared distance of unit rays (Kabsch).
+/// Returns the rotation that minimizes the weighted squared distances of unit rays (Kabsch).
 SO3 AlignRays(const std::vector<RayMatch>& matches, const std::vector<double>& weights) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < matches.size(); ++i) {

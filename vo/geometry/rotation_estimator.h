@@ -8,23 +8,24 @@
 
 namespace corvo {
 
-/// Rotation between two views that explains the matches best if the camera did not move: least
-/// squares over unit rays (Kabsch), reweighted towards the median so that half of the matches may
-/// be wrong. Returns second_from_first.
+/// Returns second_from_first, the rotation that best explains the matches of two views if the
+/// camera did not move: least squares over unit rays (Kabsch), reweighted relative to the median so
+/// that half of the matches may be wrong.
 SO3 EstimateRotation(const std::vector<RayMatch>& matches);
 
-/// Angle between each first ray, rotated, and the second: the parallax, radians.
+/// Returns the angle between each first ray, rotated, and the second ray: the parallax, radians.
 std::vector<double> ComputeParallax(const std::vector<RayMatch>& matches,
                                     const SO3& second_from_first);
 
-/// Rotation between two views that explains the matches best if the camera may have moved, too
-/// little for the motion to be told: a camera turned by hand always does, and EstimateRotation
-/// takes the common part of its parallax for rotation. Least robust (Cauchy) Sampson error over
-/// rotation and direction of the baseline (Hartley and Zisserman, 11.4.3), from the rotation given
-/// and baselines along each axis. The rotation given is a measurement, too, with
-/// `common_parallax` times the median of the parallax it leaves as its standard deviation: a small
-/// turn and a small move aside look alike, and the epipolar lines alone may tell them apart wrongly
-/// by any angle.
+/// Returns the rotation that best explains the matches of two views if the camera may have moved,
+/// but too little to estimate the motion. A camera turned by hand always moves, and
+/// EstimateRotation attributes the common part of its parallax to the rotation.
+///
+/// Minimizes the robust (Cauchy) Sampson error over the rotation and the direction of the baseline
+/// (Hartley and Zisserman, 11.4.3), starting from the given rotation and a baseline along each
+/// axis. The given rotation is a measurement, too; its standard deviation is `common_parallax`
+/// times the median parallax that it leaves. Without it, the rotation could be wrong by any angle,
+/// since the epipolar lines of a small rotation and of a small sideways motion are alike.
 SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_first,
                    double common_parallax = 4);
 

@@ -13,8 +13,8 @@ struct RayPair {
   Eigen::Vector2d a, b;
 };
 
-/// The nearest rays that meet, a' E b = 0: "niter2" of the paper, which is exact but for rays that
-/// miss each other by far.
+/// Returns the nearest rays that intersect, a' E b = 0: "niter2" of the paper, which is exact
+/// except for rays that miss each other by far.
 RayPair MakeMeet(RayPair rays, const Eigen::Matrix3d& essential) {
   const Eigen::Matrix2d corner = essential.topLeftCorner<2, 2>();
   const Eigen::Vector3d line_in_a = essential * rays.b.homogeneous();

@@ -74,7 +74,7 @@ void AddToScore(double first_error, double second_error, double bound, ModelScor
   score.num_inliers += is_inlier;
 }
 
-/// Squared distance of a ray from a line in its view.
+/// Returns the squared distance of a ray from a line in its view.
 double SquaredLineDistance(const Eigen::Vector3d& line, const Eigen::Vector2d& ray) {
   const double distance = line.dot(ray.homogeneous());
   return distance * distance / line.head<2>().squaredNorm();
@@ -85,7 +85,7 @@ double SquaredTransferError(const Eigen::Matrix3d& homography, const Eigen::Vect
   return ((homography * from.homogeneous()).hnormalized() - to).squaredNorm();
 }
 
-/// The four motions in an essential matrix: E ~ [t]x R (Hartley and Zisserman, 9.6.2).
+/// Returns the four motions of an essential matrix E ~ [t]x R (Hartley and Zisserman, 9.6.2).
 std::vector<SE3> DecomposeEssential(const Eigen::Matrix3d& essential) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
@@ -105,8 +105,8 @@ bool ReprojectsWithin(const Eigen::Vector3d& in_view, const Eigen::Vector2d& ray
   return (in_view.hnormalized() - ray).squaredNorm() <= kChiSquare2Dof95 * sigma * sigma;
 }
 
-/// Triangulates the inliers under one motion; keeps the points in front of both views that
-/// reproject well.
+/// Triangulates the inliers under one motion and keeps the points that lie in front of both views
+/// and have a low reprojection error.
 std::vector<TwoViewPoint> TriangulateInFront(const std::vector<RayMatch>& matches,
                                              const std::vector<char>& is_inlier,
                                              const SE3& second_from_first) {
@@ -124,7 +124,8 @@ std::vector<TwoViewPoint> TriangulateInFront(const std::vector<RayMatch>& matche
   return points;
 }
 
-/// Parallax that at least `min_points` points reach (or the least of all), radians.
+/// Returns the parallax that at least `min_points` points reach, or the smallest parallax if there
+/// are fewer points, radians.
 double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) {
   std::vector<double> angles;
   for (const TwoViewPoint& point : points) angles.push_back(point.parallax);
@@ -133,7 +134,8 @@ double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) 
   return angles[std::min<std::size_t>(min_points, angles.size()) - 1];
 }
 
-/// The motion with the most points in front, or the reason why none stands out.
+/// Selects the motion with the most points in front of both views, or sets the reason why none is
+/// accepted.
 void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& score,
                   const std::vector<RayMatch>& matches, const InitializerOptions& options,
                   TwoViewResult& result) {
@@ -163,7 +165,8 @@ void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& s
   }
 }
 
-/// Whether a plane explains the matches; if so, sets the reason and the motions it allows.
+/// Returns whether a plane explains the matches; if so, sets the reason and the motions that the
+/// plane allows.
 bool CheckPlane(const Eigen::Matrix3d& homography, const ModelScore& essential_score,
                 const std::vector<RayMatch>& matches, const InitializerOptions& options,
                 TwoViewResult& result) {

@@ -16,35 +16,38 @@
 
 namespace corvo {
 
-/// How well one model explains the matches: sum over matches of what the squared error (in units of
-/// sigma²) stays below a common bound, as in Mur-Artal et al., "ORB-SLAM", 2015, section IV.
+/// The score of a model over all matches: the sum over the inlying errors of the margin between the
+/// squared error, in units of sigma², and a bound common to both models (Mur-Artal et al.,
+/// "ORB-SLAM", 2015, section IV).
 struct ModelScore {
   double score = 0;
   int num_inliers = 0;
   std::vector<char> is_inlier;
 };
 
-/// Squared distance of both rays from their epipolar lines; bound for an inlier χ² with 1 degree.
+/// Scores the squared distances of both rays from their epipolar lines. The inlier bound is the 95%
+/// quantile of χ² with 1 degree of freedom.
 ModelScore ScoreEssential(const Eigen::Matrix3d& second_from_first_essential,
                           const std::vector<RayMatch>& matches);
-/// Squared transfer error both ways; bound for an inlier χ² with 2 degrees.
+/// Scores the squared transfer errors in both directions. The inlier bound is the 95% quantile of
+/// χ² with 2 degrees of freedom.
 ModelScore ScoreHomography(const Eigen::Matrix3d& second_from_first_homography,
                            const std::vector<RayMatch>& matches);
 
-/// A point seen in both views.
+/// A point observed in both views.
 struct TwoViewPoint {
   int match = kNoId;  ///< Index of its match.
   Eigen::Vector3d in_first;
-  double parallax = 0;  ///< Radians.
+  double parallax = 0;  ///< Angle between the views, radians.
 };
 
-/// The motion between two views, or why there is none.
+/// The motion between two views, or the reason why there is none.
 struct TwoViewResult {
   SE3 first_from_second;  ///< The baseline has length 1.
-  /// Set if the camera turned or stood still, as far as the matches tell (kRotationOnly,
+  /// Set if, according to the matches, the camera only turned or stood still (kRotationOnly,
   /// kLowParallax).
   std::optional<SO3> first_from_second_rotation;
-  /// What the plane allows, if there is one (kPlanar).
+  /// The motions that a plane allows, if there is one (kPlanar).
   std::vector<PlanarMotion> planar_motions;
   std::vector<TwoViewPoint> points;
   double parallax_deg = 0;  ///< Median over the matches, rotation removed.
@@ -52,20 +55,21 @@ struct TwoViewResult {
   Reason reason = Reason::kNone;  ///< kNone: the motion is accepted.
 };
 
-/// Whether a rotation alone explains the matches: then `first_from_second_rotation` and the reason
-/// are set. `parallax_deg` always is.
+/// Checks whether a rotation alone explains the matches. If so, sets `first_from_second_rotation`
+/// and the reason. Always sets `parallax_deg`.
 TwoViewResult CheckPureRotation(const std::vector<RayMatch>& matches,
                                 const InitializerOptions& options);
 
-/// Essential matrix (robust, fixed seed) against homography and pure rotation. Estimators return a
-/// confident essential matrix under pure rotation and for planes, so its own inliers never decide:
-/// accepted only if there are enough matches, if there is parallax, if the homography does not
-/// explain the matches too, and if one of the four motions in E clearly puts the most points in
-/// front of both views.
+/// Estimates an essential matrix (robust, fixed seed) and compares it with a homography and a pure
+/// rotation. Estimators return a confident essential matrix even for a pure rotation or a plane, so
+/// its inliers alone never decide: the motion is accepted only if there are enough matches, if
+/// there is parallax, if the homography does not explain the matches, too, and if one of the four
+/// motions in E clearly puts the most points in front of both views.
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options);
 
-/// One of the motions that a plane allows, accepted on the same terms.
+/// Triangulates one of the motions that a plane allows, and accepts it under the same conditions on
+/// its points and their parallax.
 TwoViewResult TriangulatePlanarMotion(const std::vector<RayMatch>& matches,
                                       const PlanarMotion& motion,
                                       const InitializerOptions& options);

@@ -5,8 +5,8 @@
 
 namespace corvo {
 
-/// How OpenCV's robust estimators search, with a fixed seed and one thread: inliers lie within
-/// `threshold` of the model, in the unit of the points.
+/// Returns the parameters of OpenCV's robust estimators, with a fixed seed and one thread. Inliers
+/// lie within `threshold` of the model, in the unit of the points.
 inline cv::UsacParams MakeUsacParams(double threshold) {
   cv::UsacParams params;
   params.randomGeneratorState = 0;

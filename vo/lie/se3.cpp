@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-/// (θ²/2 + cos θ - 1)/θ⁴.
+/// Returns (θ²/2 + cos θ - 1)/θ⁴.
 double CosRemainder(double angle) {
   if (angle > kSeriesAngle) {
     const double square = angle * angle;
@@ -17,7 +17,7 @@ double CosRemainder(double angle) {
   return EvenSeries(angle, {1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600});
 }
 
-/// (θ - 3/2 sin θ + θ/2 cos θ)/θ⁵.
+/// Returns (θ - 3/2 sin θ + θ/2 cos θ)/θ⁵.
 double SinCosRemainder(double angle) {
   if (angle > kSeriesAngle) {
     const double square = angle * angle;
@@ -28,7 +28,7 @@ double SinCosRemainder(double angle) {
                     {1.0 / 120, -2.0 / 5040, 3.0 / 362880, -4.0 / 39916800, 5.0 / 6227020800});
 }
 
-/// Upper right block of the left Jacobian.
+/// Returns the upper right block of the left Jacobian.
 Eigen::Matrix3d JacobianQ(const SE3::Tangent& tangent) {
   const Eigen::Matrix3d p = SO3::Hat(tangent.head<3>());
   const Eigen::Matrix3d w = SO3::Hat(tangent.tail<3>());
@@ -39,7 +39,7 @@ Eigen::Matrix3d JacobianQ(const SE3::Tangent& tangent) {
          SinCosRemainder(angle) * (wpw * w + w * wpw);
 }
 
-/// [diagonal corner; 0 diagonal].
+/// Returns [diagonal corner; 0 diagonal].
 SE3::Matrix6 UpperBlocks(const Eigen::Matrix3d& diagonal, const Eigen::Matrix3d& corner) {
   SE3::Matrix6 blocks;
   blocks << diagonal, corner, Eigen::Matrix3d::Zero(), diagonal;

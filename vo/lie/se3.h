@@ -23,22 +23,24 @@ class SE3 {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Data = Eigen::Matrix<double, 7, 1>;
 
-  /// Identity.
+  /// Constructs the identity.
   SE3() = default;
   SE3(const SO3& rotation, const Eigen::Vector3d& translation)
       : rotation_(rotation), translation_(translation) {}
 
-  /// From [qx qy qz qw tx ty tz]; normalizes the quaternion. Throws corvo::Error as SO3 does.
+  /// Constructs a transform from [qx qy qz qw tx ty tz] and normalizes the quaternion. Throws
+  /// corvo::Error as SO3 does.
   static SE3 FromData(const double* data);
-  /// [qx qy qz qw tx ty tz].
+  /// Returns [qx qy qz qw tx ty tz].
   Data data() const;
 
-  /// (Exp(ω), J υ) with J = SO3::LeftJacobian(ω).
+  /// Returns (Exp(ω), J υ) with J = SO3::LeftJacobian(ω).
   static SE3 Exp(const Tangent& tangent);
   Tangent Log() const;
 
   SE3 Inverse() const;
-  /// Exp(exponent Log(this)): the same motion at constant velocity, `exponent` times as long.
+  /// Returns Exp(exponent Log(this)): the same motion at constant velocity, `exponent` times as
+  /// long.
   SE3 Power(double exponent) const { return Exp(exponent * Log()); }
   SE3 operator*(const SE3& right) const;
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
@@ -47,18 +49,18 @@ class SE3 {
 
   const SO3& rotation() const { return rotation_; }
   const Eigen::Vector3d& translation() const { return translation_; }
-  /// [R t; 0 1].
+  /// Returns [R t; 0 1].
   Eigen::Matrix4d matrix() const;
-  /// [R Hat(t)R; 0 R].
+  /// Returns [R Hat(t)R; 0 R].
   Matrix6 Adjoint() const;
 
-  /// [J Q; 0 J], J = SO3::LeftJacobian(ω); Q as in Barfoot, State Estimation for Robotics,
+  /// Returns [J Q; 0 J], J = SO3::LeftJacobian(ω); Q as in Barfoot, State Estimation for Robotics,
   /// eq. 7.86b.
   static Matrix6 LeftJacobian(const Tangent& tangent);
-  /// [J⁻¹ -J⁻¹QJ⁻¹; 0 J⁻¹], for |ω| < 2π.
+  /// Returns [J⁻¹ -J⁻¹QJ⁻¹; 0 J⁻¹], for |ω| < 2π.
   static Matrix6 LeftJacobianInverse(const Tangent& tangent);
 
-  /// The same stored numbers.
+  /// Returns whether the stored numbers are equal.
   bool operator==(const SE3& other) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 using RowMajor7x6 = Eigen::Matrix<double, 7, 6, Eigen::RowMajor>;
 using RowMajor6x7 = Eigen::Matrix<double, 6, 7, Eigen::RowMajor>;
 
-/// d(q ⊗ Exp(ω))/dω at 0, in the order x y z w.
+/// Returns d(q ⊗ Exp(ω))/dω at 0, in the order x y z w.
 Eigen::Matrix<double, 4, 3> QuaternionPlusJacobian(const SO3& rotation) {
   const Eigen::Quaterniond& q = rotation.quaternion();
   Eigen::Matrix<double, 4, 3> jacobian;

@@ -9,9 +9,9 @@ namespace corvo {
 ///
 ///     Plus(x, δ) = x * Exp(δ)              Minus(y, x) = Log(x⁻¹ y)
 ///
-/// Both Jacobians are those of Plus and Minus themselves at zero, so costs give their derivatives
-/// by the ambient parameters, or (through a tangent of their own) chain with PlusJacobian. The
-/// quaternion may be off unit norm by rounding; it is normalized wherever it is read.
+/// Both Jacobians are those of Plus and Minus at zero, so a cost returns its derivatives with
+/// respect to the ambient parameters, or uses its own tangent and chains with PlusJacobian. The
+/// quaternion may deviate from unit norm by rounding; it is normalized wherever it is read.
 class SE3Manifold final : public ceres::Manifold {
  public:
   int AmbientSize() const override { return 7; }

@@ -7,11 +7,12 @@
 
 namespace corvo {
 
-/// Below this angle (rad) the coefficients of the Jacobians come from their Taylor series: five
-/// terms are exact to rounding there, and the closed forms lose digits to cancellation.
+/// The angle (rad) below which the coefficients of the Jacobians are computed from their Taylor
+/// series: five terms are exact to rounding there, and the closed forms lose digits to
+/// cancellation.
 inline constexpr double kSeriesAngle = 0.3;
 
-/// c0 + c1 x² + c2 x⁴ + ...
+/// Returns c0 + c1 x² + c2 x⁴ + ...
 inline double EvenSeries(double x, std::initializer_list<double> coefficients) {
   double sum = 0;
   for (auto c = std::rbegin(coefficients); c != std::rend(coefficients); ++c)
@@ -19,7 +20,7 @@ inline double EvenSeries(double x, std::initializer_list<double> coefficients) {
   return sum;
 }
 
-/// (θ - sin θ)/θ³.
+/// Returns (θ - sin θ)/θ³.
 inline double AngleMinusSin(double angle) {
   if (angle > kSeriesAngle) return (angle - std::sin(angle)) / (angle * angle * angle);
   return EvenSeries(angle, {1.0 / 6, -1.0 / 120, 1.0 / 5040, -1.0 / 362880, 1.0 / 39916800});

@@ -10,8 +10,8 @@
 namespace corvo {
 namespace {
 
-/// ∫₀¹ exp(u M) du = Σ Mᵏ/(k+1)!: by its series for a small M, doubled by
-/// W(2M) = W(M) (exp(M) + I)/2 and exp(M) = I + M W(M).
+/// Returns W(M) = ∫₀¹ exp(u M) du = Σ Mᵏ/(k+1)!, from its series for a small M, which is then
+/// doubled by W(2M) = W(M) (exp(M) + I)/2 and exp(M) = I + M W(M).
 Eigen::Matrix3d ExponentialIntegral(Eigen::Matrix3d m) {
   int doublings = 0;
   for (; m.lpNorm<Eigen::Infinity>() > 0.25; ++doublings) m *= 0.5;

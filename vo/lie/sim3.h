@@ -21,14 +21,14 @@ class Sim3 {
   using Tangent = Eigen::Matrix<double, 7, 1>;
   using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
-  /// Identity.
+  /// Constructs the identity.
   Sim3() = default;
   /// Throws corvo::Error unless the scale is finite and above 0.
   Sim3(double scale, const SO3& rotation, const Eigen::Vector3d& translation);
-  /// The similarity of scale 1.
+  /// Constructs a similarity of scale 1.
   explicit Sim3(const SE3& rigid);
 
-  /// (e^σ, Exp(ω), W υ) with W = ∫₀¹ e^{uσ} Exp(u ω) du.
+  /// Returns (e^σ, Exp(ω), W υ) with W = ∫₀¹ e^{uσ} Exp(u ω) du.
   static Sim3 Exp(const Tangent& tangent);
   Tangent Log() const;
 
@@ -41,12 +41,12 @@ class Sim3 {
   double scale() const { return scale_; }
   const SO3& rotation() const { return rotation_; }
   const Eigen::Vector3d& translation() const { return translation_; }
-  /// [sR t; 0 1].
+  /// Returns [sR t; 0 1].
   Eigen::Matrix4d matrix() const;
-  /// [sR Hat(t)R -t; 0 R 0; 0 0 1].
+  /// Returns [sR Hat(t)R -t; 0 R 0; 0 0 1].
   Matrix7 Adjoint() const;
 
-  /// The same stored numbers.
+  /// Returns whether the stored numbers are equal.
   bool operator==(const Sim3& other) const;
 
  private:
@@ -55,8 +55,9 @@ class Sim3 {
   Eigen::Vector3d translation_ = Eigen::Vector3d::Zero();
 };
 
-/// The pose b_from_c of a rigid frame c whose position is mapped by a similarity: rotations are
-/// composed, and the origin of c is b_from_a * (its position in a). Lengths in c take b's scale.
+/// Returns the pose b_from_c of a rigid frame c whose position is mapped by a similarity: rotations
+/// are composed, and the origin of c is b_from_a * (its position in a). Lengths in c take the scale
+/// of b.
 SE3 TransformPose(const Sim3& b_from_a, const SE3& a_from_c);
 
 }  // namespace corvo

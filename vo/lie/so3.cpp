@@ -29,19 +29,19 @@ const Eigen::Matrix3d& CheckedRotation(const Eigen::Matrix3d& rotation) {
   throw Error(message.str());
 }
 
-/// sin(θ/2)/θ.
+/// Returns sin(θ/2)/θ.
 double HalfSinOverAngle(double angle) {
   if (angle > 1e-3) return std::sin(0.5 * angle) / angle;
   return EvenSeries(angle, {0.5, -1.0 / 48, 1.0 / 3840});
 }
 
-/// (1 - cos θ)/θ².
+/// Returns (1 - cos θ)/θ².
 double OneMinusCos(double angle) {
   const double ratio = HalfSinOverAngle(angle);
   return 2 * ratio * ratio;
 }
 
-/// (1 - θ/2 cot(θ/2))/θ².
+/// Returns (1 - θ/2 cot(θ/2))/θ².
 double OneMinusHalfCot(double angle) {
   if (angle > kSeriesAngle) {
     return (1 - 0.5 * angle * std::cos(0.5 * angle) / std::sin(0.5 * angle)) / (angle * angle);

@@ -16,19 +16,20 @@
 
 namespace corvo {
 
-/// One image's features and what they are known to see. A value that is moved on.
+/// The features of one image and the landmarks that they observe. A value type, passed on by
+/// moving.
 struct Frame {
-  int index = 0;  ///< Of the input frame, from 0.
+  int index = 0;  ///< Index of the input frame, from 0.
   TimeNs time_ns = 0;
-  orb::Features features;  ///< Keypoints keep their measured pixel.
+  orb::Features features;  ///< Keypoints keep the pixel at which they were detected.
   orb::KeypointIndex keypoint_index;
-  std::vector<orb::Patch> patches;      ///< Around each keypoint; empty if not known.
-  std::vector<Eigen::Vector2d> pixels;  ///< Of each keypoint: where it was detected or aligned.
-  std::vector<Eigen::Vector2d> rays;    ///< (x/z, y/z) of each of `pixels`, by `camera`.
-  std::vector<char> is_aligned;         ///< With the patch of the landmark that it sees.
-  std::vector<LandmarkId> landmarks;    ///< Seen by each keypoint, or kNoId.
+  std::vector<orb::Patch> patches;      ///< Patch around each keypoint; empty if unknown.
+  std::vector<Eigen::Vector2d> pixels;  ///< Detected or aligned pixel of each keypoint.
+  std::vector<Eigen::Vector2d> rays;    ///< (x/z, y/z) of each of `pixels` in `camera`.
+  std::vector<char> is_aligned;         ///< Nonzero if aligned with its landmark's patch.
+  std::vector<LandmarkId> landmarks;    ///< Landmark observed by each keypoint, or kNoId.
   SE3 world_from_camera;
-  CameraParameters camera;  ///< That the rays are of.
+  CameraParameters camera;  ///< The camera that `rays` refer to.
 
   int num_keypoints() const { return static_cast<int>(features.keypoints.size()); }
   const orb::Keypoint& keypoint(int i) const { return features.keypoints[i]; }
@@ -37,21 +38,22 @@ struct Frame {
   Eigen::Vector2d detected_pixel(int i) const { return {keypoint(i).x, keypoint(i).y}; }
 };
 
-/// Keypoints without a ray through the camera (outside the domain of its distortion) are dropped.
+/// Makes a frame without landmarks. Keypoints without a ray through the camera (outside the domain
+/// of its distortion) are dropped.
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
 
-/// Throws corvo::Error unless an image is 8-bit gray and of the camera's size.
+/// Throws corvo::Error unless the image is 8-bit gray and has the size of the camera.
 void CheckImage(const cv::Mat& image, const Camera& camera);
 
-/// Makes a frame's rays those of this camera, if they are of another; a pixel that it sees by no
-/// ray keeps the old one.
+/// Recomputes the rays of a frame if they refer to another camera. A pixel without a ray in
+/// `camera` keeps its old ray.
 void UpdateRays(const Camera& camera, Frame& frame);
 
-/// Keypoints that see a landmark.
+/// Returns the number of keypoints that observe a landmark.
 int CountObservedLandmarks(const Frame& frame);
 
-/// Memory held.
+/// Returns the memory held by a frame, bytes.
 std::size_t NumBytes(const Frame& frame);
 
 }  // namespace corvo

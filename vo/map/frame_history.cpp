@@ -13,12 +13,12 @@
 namespace corvo {
 namespace {
 
-/// The first at a share of 0, the second at 1.
+/// Interpolates between the first pose (at a share of 0) and the second (at 1).
 SE3 Interpolate(const SE3& first, const SE3& second, double share) {
   return first * (first.Inverse() * second).Power(share);
 }
 
-/// Takes the status of a later adjustment, unless one before has failed.
+/// Sets `noted` to the status of a later adjustment, unless an earlier one has failed.
 void Update(AdjustmentStatus status, AdjustmentStatus& noted) {
   const bool has_failed = noted != AdjustmentStatus::kNone && !IsUsable(noted);
   if (status != AdjustmentStatus::kNone && !has_failed) noted = status;

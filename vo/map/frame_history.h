@@ -16,22 +16,23 @@
 
 namespace corvo {
 
-/// Matches of a frame with landmarks, and those that agree with its pose.
+/// The number of matches of a frame with landmarks, and the number of inliers of its pose.
 struct MatchCounts {
   int num_matches = 0;
   int num_inliers = 0;
 };
 
-/// The result of every input frame, in input order. A posed frame hangs on the keyframes of its
-/// segment before and after it: where these move against each other, it moves as they do, weighted
-/// by how near it is to either. With a keyframe on one side only it moves as that does. A frame of
-/// which only the rotation is known hangs on another frame.
+/// The results of all input frames, in input order. A posed frame is expressed relative to the
+/// keyframes of its segment before and after it: if these move relative to each other, the frame
+/// follows both, weighted by its distance to each. With a keyframe on one side only, it follows
+/// that one. A frame of which only the rotation is known is expressed relative to another frame.
 class FrameHistory {
  public:
   int size() const { return static_cast<int>(records_.size()); }
-  /// Throws corvo::Error unless `time_ns`, of the frame to come, is after that of the newest frame.
+  /// Throws corvo::Error unless `time_ns`, the timestamp of the next frame, is after that of the
+  /// newest frame.
   void CheckNext(TimeNs time_ns) const;
-  /// A frame that was not located yet.
+  /// Adds a frame that is not located yet.
   void Add(const Frame& frame);
   /// A frame whose image repeats that of the last frame added by Add: it has that one's outcome and
   /// pose, also where these are found or change afterwards. Returns its index.
@@ -39,31 +40,33 @@ class FrameHistory {
 
   FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
 
-  /// Notes in the newest frame's account how adjustments ended. A failure stays noted when more
-  /// adjustments end after the last frame.
+  /// Records in the outcome of the newest frame how adjustments ended. A recorded failure is kept
+  /// if more adjustments end after the last frame.
   void AddAdjustments(const UsedAdjustments& used);
-  /// The frame was located in a segment that has a keyframe.
+  /// Records that the frame was located in a segment that has a keyframe.
   void SetTracked(const Frame& frame, int segment, const MatchCounts& counts, const Map& map);
 
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
-  /// In a segment that has a keyframe.
+  /// Sets the pose of a frame in a segment that has a keyframe.
   void SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map);
-  /// The newest keyframe of the map; its frame is posed with it and told to be a keyframe, if it is
-  /// not posed yet (in the segment before).
+  /// Adds the newest keyframe of the map. Unless its frame is already posed (in the previous
+  /// segment), the frame gets the pose of the keyframe and is marked as a keyframe.
   void AddKeyframe(int frame, KeyframeId keyframe, const Map& map);
-  /// One that was retired since the map changed last, and was not its segment's first or newest:
-  /// frames hang on those around it.
+  /// Removes a keyframe that was culled since the last change of the map and was neither the first
+  /// nor the newest of its segment. Its frames are then expressed relative to the keyframes around
+  /// it.
   void RemoveKeyframe(KeyframeId keyframe, const Map& map);
-  /// Hangs the rotation of a frame that is not posed on an earlier one; on itself, the frame begins
-  /// a chain.
+  /// Expresses the rotation of a frame that is not posed relative to an earlier frame. A frame that
+  /// is its own reference starts a chain of rotations.
   void SetRotation(int frame, int reference, const SO3& reference_from_camera);
 
-  /// Of a posed frame.
+  /// Returns the pose of a posed frame.
   SE3 PoseOf(int frame, const Map& map) const;
-  /// Of a frame that is posed, or whose chain ends in a posed frame or at its beginning.
+  /// Returns the rotation of a frame that is posed or whose chain of rotations ends in a posed
+  /// frame or at its start; std::nullopt for any other frame.
   std::optional<SO3> RotationOf(int frame, const Map& map) const;
 
-  /// With pose and rotation as the map has them now.
+  /// Returns the result of a frame, with the current pose and rotation from the map.
   FrameResult ResultOf(int frame, const Map& map) const;
   Trajectory ToTrajectory(const Map& map) const;
 
@@ -74,19 +77,19 @@ class FrameHistory {
  private:
   struct Record {
     FrameOutcome outcome;
-    KeyframeId keyframe = kNoId;  // Of a posed frame: the last before it, or the first after it.
-    int reference = kNoId;        // Of a frame of which only the rotation is known.
-    SE3 from_camera;              // Its target is whichever of the two there is.
+    KeyframeId keyframe = kNoId;  // For a posed frame: the last one before it, or the first after.
+    int reference = kNoId;        // For a frame of which only the rotation is known.
+    SE3 from_camera;              // Relative to `keyframe` or `reference`.
   };
   struct Keyframe {
     int frame = kNoId;
-    SE3 from_before;  // From the keyframe before in its segment, when they became neighbors.
+    SE3 from_before;  // Pose of the previous keyframe when they became neighbors.
   };
   using Keyframes = std::map<KeyframeId, Keyframe>;
 
-  /// The keyframe that a frame hangs on.
+  /// Returns the keyframe that a frame is expressed relative to.
   KeyframeId FindKeyframe(int frame, int segment, const Map& map) const;
-  /// Sets what `keyframe` and the one before it are to each other now.
+  /// Sets `from_before` of a keyframe from the current poses of the map.
   void Join(Keyframes::iterator keyframe, const Map& map);
 
   std::deque<Record> records_;

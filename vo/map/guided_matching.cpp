@@ -9,7 +9,8 @@
 namespace corvo {
 namespace {
 
-/// Clears the queries whose second nearest keypoint in the same octave is nearly as near.
+/// Clears the queries whose second nearest keypoint is in the same octave as the nearest and fails
+/// the ratio test.
 std::vector<orb::Nearest> TestRatioWithinOctave(const std::vector<orb::Nearest>& nearest,
                                                 const Frame& frame, double max_ratio) {
   std::vector<orb::Nearest> kept = nearest;

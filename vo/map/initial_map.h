@@ -10,14 +10,14 @@
 
 namespace corvo {
 
-/// A landmark of the first map.
+/// A landmark of the initial map.
 struct InitialPoint {
   int first_keypoint = kNoId;
   int second_keypoint = kNoId;
   Eigen::Vector3d in_first;
 };
 
-/// Two views and the points between them. The median depth in the first view is 1.
+/// Two views and the points triangulated from them. The median depth in the first view is 1.
 struct InitialMap {
   SE3 first_from_second;
   std::vector<InitialPoint> points;

@@ -11,8 +11,9 @@
 namespace corvo {
 namespace {
 
-/// How a step around a point's pixel in a frame becomes one in a reference, both in pixels of the
-/// input image: by the plane through the point that is parallel to the reference's image.
+/// Returns the derivative of a point's pixel in a reference with respect to its pixel in a frame,
+/// both in pixels of the input image, on the plane through the point that is parallel to the image
+/// of the reference.
 std::optional<Eigen::Matrix2d> ReferenceFromFrame(const Eigen::Vector3d& in_reference,
                                                   const Eigen::Vector3d& in_frame,
                                                   const SO3& frame_from_reference,
@@ -38,7 +39,8 @@ struct AlignedKeypoint {
   Eigen::Vector2d ray;
 };
 
-/// Where keypoint `k` of a frame shows what the patch of a reference shows at its offset.
+/// Returns the position at which keypoint `k` of a frame shows what the patch of a reference shows
+/// at its offset.
 std::optional<AlignedKeypoint> AlignWithReference(const Reference& reference,
                                                   const Eigen::Matrix2d& reference_from_frame,
                                                   const MeasurementModel& model, const Frame& frame,

@@ -7,11 +7,12 @@
 
 namespace corvo {
 
-/// Covariance of a landmark's position, the poses of its keyframes taken as exact. A observation
-/// over the distance d along the direction r, to σ px, tells the place across r to σ d / f, f =
-/// camera.focal(), and along r next to nothing, to 10 d:
+/// Returns the covariance of a landmark's position, with the poses of its keyframes taken as exact.
+/// An observation at distance d along the direction r, with a standard deviation of σ px, has a
+/// standard deviation of σ d / f across r, where f = camera.focal(), and of s d along r, where s =
+/// options.sigma_along_ray:
 ///
-///     C⁻¹ = Σ (f / (σ d))² (I - r rᵀ) + r rᵀ / (10 d)²
+///     C⁻¹ = Σ (f / (σ d))² (I - r rᵀ) + r rᵀ / (s d)²
 Eigen::Matrix3d LandmarkCovariance(const Map& map, const Landmark& landmark);
 
 }  // namespace corvo

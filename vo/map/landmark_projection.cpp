@@ -7,7 +7,8 @@
 namespace corvo {
 namespace {
 
-/// The finest octave whose scale reaches max_distance / distance: the nearer, the coarser.
+/// Returns the finest octave whose scale reaches max_distance / distance: the nearer the landmark,
+/// the coarser the octave.
 int PredictOctave(double max_distance, double distance, const std::vector<double>& octave_scales) {
   const double scale = max_distance / distance;
   const auto found = std::lower_bound(octave_scales.begin(), octave_scales.end(), scale);

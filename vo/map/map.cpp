@@ -15,7 +15,8 @@ std::vector<TrackElement>::const_iterator FindTrackElement(const Landmark& landm
                       [&](const TrackElement& o) { return o.keyframe == keyframe; });
 }
 
-/// The descriptor with the least median distance to all others (the first of equals).
+/// Returns the index of the descriptor with the least median distance to all others (the first one
+/// in case of a tie).
 int FindMedoid(const std::vector<orb::Descriptor>& descriptors) {
   const int n = static_cast<int>(descriptors.size());
   int best = 0;
@@ -124,7 +125,8 @@ void Map::SetPose(KeyframeId id, const SE3& world_from_camera) {
   keyframes_.at(id).frame.world_from_camera = world_from_camera;
 }
 
-/// By definition the keypoint lies where its own patch puts it.
+/// Returns the reference of a landmark. By definition the keypoint lies where its own patch puts
+/// it, so it counts as aligned.
 Reference Map::MakeReference(const TrackElement& observation) {
   Frame& frame = keyframes_.at(observation.keyframe).frame;
   const int k = observation.keypoint;
@@ -236,7 +238,7 @@ void Map::UpdateAppearance(LandmarkId id) {
 }
 
 std::size_t Map::working_set_bytes() const {
-  constexpr std::size_t kLink = sizeof(void*);  // Of a hash map: one a node, one a bucket.
+  constexpr std::size_t kLink = sizeof(void*);  // In a hash map: one per node, one per bucket.
   std::size_t num_bytes =
       kLink * (keyframes_.bucket_count() + landmarks_.bucket_count() + merged_into_.bucket_count());
   for (const auto& entry : keyframes_) {

@@ -15,7 +15,7 @@
 
 namespace corvo {
 
-/// Keypoint `keypoint` of keyframe `keyframe` sees a landmark.
+/// One element of a track: keypoint `keypoint` of keyframe `keyframe` observes the landmark.
 struct TrackElement {
   KeyframeId keyframe = kNoId;
   int keypoint = kNoId;
@@ -23,45 +23,45 @@ struct TrackElement {
   bool operator==(const TrackElement&) const = default;
 };
 
-/// The view in which a landmark is where it is: other views are aligned with it.
+/// The view that defines the position of a landmark in images: other views are aligned with it.
 struct Reference {
   KeyframeId keyframe = kNoId;
   int octave = 0;
   std::optional<orb::Patch> patch;
-  Eigen::Vector2d offset_px =
-      Eigen::Vector2d::Zero();  ///< Of the landmark from the patch's middle.
+  /// The offset of the landmark from the center of the patch.
+  Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();
 };
 
-/// A 3D point and how it looks.
+/// A 3-D point and its appearance.
 struct Landmark {
   LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
-  std::vector<TrackElement> track;     ///< At most one element for each keyframe, by keyframe.
-  KeyframeId newest_keyframe = kNoId;  ///< The newest keyframe when the landmark was made.
+  std::vector<TrackElement> track;     ///< At most one element per keyframe, by keyframe.
+  KeyframeId newest_keyframe = kNoId;  ///< Newest keyframe when the landmark was created.
   orb::Descriptor descriptor;          ///< The medoid of its observations' descriptors.
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  ///< Mean unit vector, camera to point.
   Reference reference;
-  double max_distance = 0;  ///< From the camera, at which it would be detected in octave 0.
-  int num_visible = 1;      ///< Frames in which it should have been seen.
-  int num_found = 1;        ///< Frames in which it was.
+  double max_distance = 0;  ///< Distance at which it would be detected in octave 0.
+  int num_visible = 1;      ///< Frames in which it should have been observed.
+  int num_found = 1;        ///< Frames in which it was observed.
 };
 
-/// A frame kept in the map.
+/// An active frame of the map.
 struct Keyframe {
   KeyframeId id = kNoId;
   int segment = 0;
   Frame frame;
 };
 
-/// What is left of a landmark whose keyframes have left the map. It never moves again.
+/// The remainder of a landmark whose keyframes were marginalized. Its position is final.
 struct MarginalizedLandmark {
   LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
 };
 
-/// A landmark became part of another.
+/// The merge of a landmark into another.
 struct LandmarkMerge {
   LandmarkId from = kNoId;
   LandmarkId into = kNoId;
@@ -69,118 +69,124 @@ struct LandmarkMerge {
   bool operator==(const LandmarkMerge&) const = default;
 };
 
-/// A keyframe and the number of landmarks that it shares with another.
+/// A keyframe and the number of landmarks that it shares with another keyframe or frame.
 struct Covisible {
   KeyframeId keyframe = kNoId;
   int num_shared = 0;
 };
 
-/// The first of them, at most `max_count`.
+/// Returns the first keyframes of the list, at most `max_count`.
 std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, int max_count);
 
-/// Owns keyframes and landmarks. Links between them are ids, kept consistent both ways: keypoint k
-/// of keyframe f names landmark l if and only if l has the observation (f, k).
+/// The owner of keyframes and landmarks. Links between them are ids, kept consistent in both
+/// directions: keypoint k of keyframe f names landmark l if and only if the track of l contains (f,
+/// k).
 ///
-/// A keyframe leaves when it is retired or archived. Then its features and observations are gone;
-/// its id, segment and pose stay.
+/// A keyframe is active until it is culled or marginalized. Its features and observations are then
+/// removed; its id, segment and pose remain.
 ///
-/// All its images are measured by one model, whose camera may be estimated anew.
+/// All images are measured by one model, whose camera may be re-estimated.
 class Map {
  public:
   explicit Map(MeasurementModel model) : model_(std::move(model)) {}
 
   const MeasurementModel& model() const { return model_; }
   const Camera& camera() const { return model_.camera; }
-  /// Keyframes get their rays by this camera when they are next used: see UpdateRays.
+  /// Sets the camera. Keyframes get their rays in this camera when they are next used, see
+  /// UpdateRays.
   void SetCamera(const Camera& camera) { model_.camera = camera; }
 
   bool empty() const { return keyframe_poses_.empty(); }
-  int num_keyframes() const {
-    return static_cast<int>(keyframe_poses_.size());
-  }  ///< Also those that left.
-  int num_landmarks() const { return static_cast<int>(landmarks_.size()); }  ///< That live.
+  /// Returns the number of keyframes ever added, active or not.
+  int num_keyframes() const { return static_cast<int>(keyframe_poses_.size()); }
+  /// Returns the number of landmarks that exist.
+  int num_landmarks() const { return static_cast<int>(landmarks_.size()); }
   int num_landmark_ids() const { return num_landmark_ids_; }
 
-  /// It has not left.
+  /// Returns whether the keyframe was neither culled nor marginalized.
   bool IsActive(KeyframeId id) const { return keyframes_.count(id) > 0; }
-  /// It was retired: its frame is one like any other.
+  /// Returns whether the keyframe was culled, so that its frame is an ordinary posed frame.
   bool IsCulled(KeyframeId id) const { return keyframe_poses_[id].anchor != kNoId; }
-  /// Those that have not left, in ascending order.
+  /// Returns the active keyframes, in ascending order.
   std::vector<KeyframeId> ActiveKeyframes() const;
-  /// Of one that is kept.
+  /// Returns an active keyframe.
   const Keyframe& keyframe(KeyframeId id) const { return keyframes_.at(id); }
 
-  /// Segment of any keyframe.
+  /// Returns the segment of any keyframe.
   int SegmentOf(KeyframeId id) const { return keyframe_poses_[id].segment; }
-  /// Pose of any keyframe, retired ones through their anchors.
+  /// Returns the pose of any keyframe; that of a culled one follows its anchor.
   SE3 WorldFromKeyframe(KeyframeId id) const;
 
-  /// Null if there is none, or it was removed, merged or finished.
+  /// Returns the landmark, or null if there is none or it was removed, merged or marginalized.
   const Landmark* FindLandmark(LandmarkId id) const;
-  /// The landmark that `id` was merged into, directly or by stages; `id` itself if it lives;
-  /// kNoId if it was removed or finished, or the merge is forgotten.
+  /// Returns the landmark that `id` was merged into, directly or in several steps; `id` itself if
+  /// it exists; kNoId if it was removed or marginalized, or if the merge is forgotten.
   LandmarkId Resolve(LandmarkId id) const;
 
-  /// Keeps a frame; its `landmarks` become observations.
+  /// Adds a frame as a keyframe; its `landmarks` become observations. Returns its id.
   KeyframeId AddKeyframe(Frame frame, int segment);
-  /// The keyframe leaves; its pose hangs on `anchor` from now on.
+  /// Culls a keyframe; from then on its pose is expressed relative to `anchor`.
   void CullKeyframe(KeyframeId id, KeyframeId anchor);
-  /// Drops the patches around a keyframe's keypoints: nothing more is aligned in it. No effect on
-  /// one that is not kept.
+  /// Drops the patches around a keyframe's keypoints, so that they can no longer be aligned. Has no
+  /// effect on a keyframe that is not active.
   void DropPatches(KeyframeId id);
-  /// corvo::UpdateRays of a keyframe that is kept: to be called before its rays are used, since the
-  /// camera may have been estimated anew.
+  /// Calls corvo::UpdateRays for an active keyframe. Must be called before its rays are used, since
+  /// the camera may have been re-estimated.
   void UpdateRays(KeyframeId id);
-  /// The keyframe leaves; its pose stays as it is for ever. Landmarks that lose their second last
-  /// observation leave with it and are returned, in the order of its keypoints.
+  /// Marginalizes a keyframe; its pose is final. Landmarks that are left with fewer than two
+  /// observations are marginalized with it and returned, in the order of its keypoints.
   std::vector<MarginalizedLandmark> MarginalizeKeyframe(KeyframeId id);
-  /// Of a keyframe that is kept.
+  /// Sets the pose of an active keyframe.
   void SetPose(KeyframeId id, const SE3& world_from_camera);
 
-  /// Two or more observations, each of a keypoint that sees nothing yet.
+  /// Adds a landmark with two or more observations, each of a keypoint that observes no landmark
+  /// yet. The first observation becomes the reference.
   LandmarkId AddLandmark(const Eigen::Vector3d& in_world, std::vector<TrackElement> track);
-  /// Sets where a keypoint of a keyframe, aligned with its landmark, sees it, and the ray.
+  /// Sets the pixel and the ray of a keyframe's keypoint after its alignment with its landmark.
   void SetPixel(const TrackElement& observation, const Eigen::Vector2d& pixel,
                 const Eigen::Vector2d& ray);
   void SetPosition(LandmarkId id, const Eigen::Vector3d& in_world);
   void RemoveLandmark(LandmarkId id);
-  /// Moves the observations of `from` to `into` where `into` has none in that keyframe.
+  /// Moves the observations of `from` to `into`, except in keyframes in which `into` already has
+  /// one.
   void MergeLandmark(LandmarkId from, LandmarkId into);
-  /// Forgets what was merged before the keyframe was added.
+  /// Forgets the merges made before the keyframe was added.
   void ForgetMergesBefore(KeyframeId keyframe);
-  /// Counts a frame in which landmarks should be visible, those that still exist, and those that it
-  /// observes as found.
+  /// Counts a frame for the statistics of landmarks: those of `visible` that still exist as
+  /// visible, and those that the frame observes as found.
   void CountSeen(const std::vector<LandmarkId>& visible, const Frame& frame);
 
-  /// The keypoint must see nothing yet, and the landmark nothing in that keyframe.
+  /// Adds an observation. The keypoint must observe no landmark yet, and the landmark must have no
+  /// observation in that keyframe.
   void AddTrackElement(LandmarkId id, const TrackElement& observation);
-  /// Removes the landmark too when fewer than two observations are left.
+  /// Removes an observation, and the landmark if fewer than two observations are left.
   void RemoveTrackElement(LandmarkId id, KeyframeId keyframe);
 
-  /// Recomputes descriptor, view direction and distance from the observations.
+  /// Recomputes the descriptor, view direction and maximum distance from the observations.
   void UpdateAppearance(LandmarkId id);
 
-  /// Landmarks that an active keyframe observes, in the order of its keypoints.
+  /// Returns the landmarks that an active keyframe observes, in the order of its keypoints.
   std::vector<LandmarkId> LandmarksOf(KeyframeId id) const;
-  /// Landmarks that any of the keyframes sees, in id order.
+  /// Returns the landmarks that any of the keyframes observes, in the order of ids.
   std::vector<LandmarkId> FindObserved(const std::vector<KeyframeId>& keyframes) const;
 
-  /// Keyframes that share at least `min_shared` landmarks with `id`, most first, then newest first.
+  /// Returns the keyframes that share at least `min_shared` landmarks with `id`, most shared first,
+  /// then newest first.
   std::vector<Covisible> FindCovisible(KeyframeId id, int min_shared = 1) const;
-  /// As FindCovisible for a frame that is not in the map.
+  /// Like FindCovisible above, but for a frame that is not in the map.
   std::vector<Covisible> FindCovisible(const Frame& frame, int min_shared = 1) const;
 
-  /// Memory held by kept keyframes and living landmarks.
+  /// Returns the memory held by active keyframes and existing landmarks, bytes.
   std::size_t working_set_bytes() const;
-  /// Memory held by what stays of every keyframe.
+  /// Returns the memory held by the part of every keyframe that is never removed, bytes.
   std::size_t keyframe_bytes() const { return keyframe_poses_.size() * sizeof(KeyframePose); }
 
  private:
   Reference MakeReference(const TrackElement& observation);
-  /// What stays of a keyframe.
+  /// The part of a keyframe that is never removed.
   struct KeyframePose {
     SE3 pose;                   // anchor_from_keyframe or, without an anchor, world_from_keyframe.
-    KeyframeId anchor = kNoId;  // Of a retired keyframe.
+    KeyframeId anchor = kNoId;  // For a culled keyframe.
     int segment = 0;
   };
   struct Merge {
@@ -192,11 +198,11 @@ class Map {
                                      int min_shared) const;
 
   MeasurementModel model_;
-  std::unordered_map<KeyframeId, Keyframe> keyframes_;  // Kept.
-  std::unordered_map<LandmarkId, Landmark> landmarks_;  // Living.
+  std::unordered_map<KeyframeId, Keyframe> keyframes_;  // Active.
+  std::unordered_map<LandmarkId, Landmark> landmarks_;  // Existing.
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
-  std::deque<Merge> merges_;                 // What is in merged_into_, in order of time.
-  std::deque<KeyframePose> keyframe_poses_;  // Of every keyframe.
+  std::deque<Merge> merges_;                 // Entries of merged_into_, in order of time.
+  std::deque<KeyframePose> keyframe_poses_;  // Indexed by KeyframeId.
   int num_landmark_ids_ = 0;
 };
 

@@ -7,12 +7,12 @@
 
 namespace corvo {
 
-/// A landmark observed in an image: the one type of a measurement, from matching to bundle
+/// A landmark observed in an image: the type of all measurements, from matching to bundle
 /// adjustment.
 struct Observation {
   LandmarkId landmark = kNoId;
-  int keypoint = kNoId;                             ///< In its frame; kNoId if not known.
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< Of the input image.
+  int keypoint = kNoId;                             ///< Index in its frame; kNoId if unknown.
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< Position in the input image.
   double sigma_px = 1;                              ///< Standard deviation along each axis.
 
   bool operator==(const Observation&) const = default;

@@ -12,17 +12,17 @@
 
 namespace corvo {
 
-/// What a frame observed, for those who want to adjust a sequence afterwards: the map forgets it.
-/// Each posed frame is reported once, when it is posed. A keyframe is reported again, with what is
-/// known by then of the landmarks it observes, when it leaves the map for good; and before that,
-/// with some of its landmarks, when these leave together with another keyframe.
+/// The observations of a frame, for a later adjustment of the sequence, since the map does not keep
+/// them. Each posed frame is reported once, when it is posed. A keyframe is reported again when it
+/// is marginalized, with the current positions of the landmarks that it observes. Before that, it
+/// is reported with those of its landmarks that are marginalized together with another keyframe.
 struct FrameObservations {
   int frame = 0;
   int segment = 0;
-  KeyframeId keyframe = kNoId;            ///< kNoId: reported when the frame was posed.
+  KeyframeId keyframe = kNoId;            ///< kNoId in the report of a newly posed frame.
   std::vector<Observation> observations;  ///< Pixels and sigmas in single precision.
-  std::vector<Eigen::Vector3d> in_world;  ///< The landmark of each; for keyframes only.
-  std::vector<LandmarkMerge> merges;      ///< Of landmarks, since the previous posed frame.
+  std::vector<Eigen::Vector3d> in_world;  ///< Landmark positions; for keyframes only.
+  std::vector<LandmarkMerge> merges;      ///< Merges since the previous posed frame.
 };
 
 using ObservationCallback = std::function<void(const FrameObservations&)>;

@@ -9,7 +9,7 @@
 
 namespace corvo {
 
-/// Reports what frames and keyframes observe, and the landmarks that leave the map, to callbacks.
+/// Reports the observations of frames and keyframes, and the marginalized landmarks, to callbacks.
 /// Without a callback it does nothing.
 class ObservationRecorder {
  public:
@@ -18,15 +18,15 @@ class ObservationRecorder {
   }
   void SetLandmarkCallback(LandmarkCallback callback) { landmark_callback_ = std::move(callback); }
 
-  /// A recorder that has recorded nothing.
+  /// Returns a recorder with the same callbacks that has recorded nothing.
   ObservationRecorder WithSameCallbacks() const;
 
-  /// Remembers merges until the next posed frame is reported.
+  /// Stores merges until the next posed frame is reported.
   void AddMerges(const std::vector<LandmarkMerge>& merges);
   /// Reports a frame that was just posed.
   void RecordFrame(const Frame& frame, int segment, const Map& map);
-  /// Reports a keyframe that is about to leave the map, then the last observations, by other
-  /// keyframes, of the landmarks that will leave with it.
+  /// Reports a keyframe that is about to be marginalized, then the last observations, in other
+  /// keyframes, of the landmarks that will be marginalized with it.
   void RecordKeyframe(const Keyframe& keyframe, const Map& map) const;
   void RecordLandmarks(const std::vector<MarginalizedLandmark>& landmarks) const;
 
@@ -36,7 +36,7 @@ class ObservationRecorder {
   std::vector<LandmarkMerge> pending_merges_;
 };
 
-/// What an active keyframe observes.
+/// Returns the observations of an active keyframe.
 FrameObservations ObservationsOf(const Keyframe& keyframe, const Map& map);
 
 }  // namespace corvo

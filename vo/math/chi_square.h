@@ -3,12 +3,12 @@
 
 namespace corvo {
 
-// 95% quantiles of the χ² distribution: an error of known standard deviation lies below in 95 of
-// 100 cases.
+// The 95% quantiles of the χ² distribution: the normalized squared error of a correct measurement
+// lies below the quantile in 95 of 100 cases.
 inline constexpr double kChiSquare1Dof95 = 3.841458820694124;
 inline constexpr double kChiSquare2Dof95 = 5.991464547107979;
 
-/// 99.9% quantiles with 0, 1, 2, ... degrees of freedom.
+/// The 99.9% quantiles of the χ² distribution with 0, 1, 2, ... degrees of freedom.
 inline constexpr double kChiSquare999[] = {0,      10.828, 13.816, 16.266, 18.467, 20.515, 22.458,
                                            24.322, 26.124, 27.877, 29.588, 31.264, 32.909};
 

@@ -5,13 +5,14 @@
 
 namespace corvo {
 
-/// A loss of a squared error, and its derivative: the weight.
+/// A loss of a squared error and its derivative, the weight.
 struct Loss {
   double value;
   double weight;
 };
 
-/// Huber's: s up to `threshold`, 2 √(threshold s) - threshold from there on.
+/// Returns Huber's loss of a squared error s: s up to `threshold`, 2 √(threshold s) - threshold
+/// above.
 inline Loss HuberLoss(double squared_error, double threshold) {
   if (squared_error <= threshold) return {squared_error, 1.0};
   const double delta = std::sqrt(threshold);

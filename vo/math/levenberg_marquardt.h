@@ -6,7 +6,7 @@
 
 namespace corvo {
 
-/// Of a weighted least-squares cost in N parameters, at one state.
+/// The normal equations of a weighted least-squares cost in N parameters at one state.
 template <int N>
 struct NormalEquations {
   Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
@@ -20,13 +20,14 @@ struct Minimum {
   double cost;
 };
 
-/// Levenberg-Marquardt for few parameters (Marquardt 1963): the state of least cost reached from
-/// `state` within `max_iterations`, never one of higher cost. `build(state)` gives its
-/// NormalEquations<N>, `plus(state, step)` the state a step of N numbers away.
+/// Minimizes a cost with few parameters (Marquardt 1963). Returns the state of least cost reached
+/// from `state` within `max_iterations`; its cost is never higher than that of `state`.
+/// `build(state)` returns the NormalEquations<N> at a state, `plus(state, step)` the state after a
+/// step of N numbers.
 template <int N, typename State, typename Build, typename Plus>
 Minimum<State> MinimizeLevenbergMarquardt(State state, Build&& build, Plus&& plus,
                                           int max_iterations) {
-  constexpr double kConverged = 1e-6;  // Share of the cost.
+  constexpr double kConverged = 1e-6;  // Decrease relative to the cost.
   using Vector = Eigen::Matrix<double, N, 1>;
   double damping = 1e-4;
   NormalEquations<N> now = build(state);

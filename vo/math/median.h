@@ -7,7 +7,7 @@
 
 namespace corvo {
 
-/// The upper median; 0 of nothing.
+/// Returns the upper median, or 0 if there are no values.
 inline double Median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
