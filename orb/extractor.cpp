@@ -34,15 +34,6 @@ void CheckGray(const char* name, const cv::Mat& image) {
               "; allowed is 8-bit, one channel (CV_8UC1)");
 }
 
-void CheckInput(const cv::Mat& image, const cv::Mat& mask) {
-  if (image.empty()) throw Error("image is empty");
-  CheckGray("image", image);
-  if (mask.empty()) return;
-  CheckGray("mask", mask);
-  if (mask.size() == image.size()) return;
-  throw Error("mask is " + SizeText(mask) + "; allowed is the image's size, " + SizeText(image));
-}
-
 ExtractorOptions Validated(const ExtractorOptions& options) {
   options.Validate();
   return options;
@@ -125,6 +116,15 @@ void CutPatches(const std::vector<PyramidLevel>& levels, std::span<const Keypoin
 }
 
 }  // namespace
+
+void CheckInput(const cv::Mat& image, const cv::Mat& mask) {
+  if (image.empty()) throw Error("image is empty");
+  CheckGray("image", image);
+  if (mask.empty()) return;
+  CheckGray("mask", mask);
+  if (mask.size() == image.size()) return;
+  throw Error("mask is " + SizeText(mask) + "; allowed is the image's size, " + SizeText(image));
+}
 
 /// What one call of Extract() works in.
 struct Buffers {

@@ -22,6 +22,9 @@ struct DescribedKeypoints {
 class BufferPool;
 class Describer;
 
+/// Throws corvo::Error unless `image` and `mask` are what Extractor::Extract takes.
+void CheckInput(const cv::Mat& image, const cv::Mat& mask);
+
 /// ORB features of gray images: oriented FAST keypoints spread over a grid and rotated BRIEF
 /// descriptors (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011).
 /// The same image and options give the same bits, whatever the number of threads. Several threads

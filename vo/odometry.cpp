@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "vo/map/frame_history.h"
+#include "vo/mapping/culling.h"
 #include "vo/mapping/keyframe_policy.h"
 #include "vo/mapping/mapper.h"
 #include "vo/tracking/initializer.h"
 #include "vo/tracking/relocalizer.h"
 #include "vo/tracking/repeat_detector.h"
 #include "vo/tracking/segment_start.h"
+#include "vo/tracking/static_overlay.h"
 #include "vo/tracking/tracker.h"
 #include "vo/tracking/unposed_outcome.h"
 
@@ -24,6 +26,7 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
     : options_(options.Checked()),
       threads_(threads),
       repeats_(std::make_unique<RepeatDetector>()),
+      overlay_(std::make_unique<StaticOverlay>()),
       extractor_(options.extractor, threads),
       map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
       initializer_(std::make_unique<Initializer>(options, map_.model())),
@@ -38,13 +41,18 @@ Odometry::~Odometry() = default;
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   // Invalid input leaves the state unchanged.
+  orb::CheckInput(image, mask);
   CheckImage(image, camera());
   history_->CheckNext(time_ns);
   clock_.Reset();
   // An image that repeats the previous one says nothing about the motion: it gets the same pose.
-  if (repeats_->Add(ReducedImage(image)))
-    return history_->ResultOf(history_->AddRepeat(time_ns), map_);
-  Frame frame = ExtractFrame(image, time_ns, mask);
+  const ReducedImage reduced(image);
+  if (repeats_->Add(reduced)) return history_->ResultOf(history_->AddRepeat(time_ns), map_);
+  // Texture that moves with the camera would hold the pose in place: it is masked.
+  const bool has_overlay_grown = overlay_->Add(reduced);
+  const cv::Mat used = overlay_->Exclude(mask, image.size());
+  if (has_overlay_grown) RemoveOverlay(used);
+  Frame frame = ExtractFrame(image, time_ns, used);
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);
@@ -87,6 +95,12 @@ const Frame& Odometry::last_frame() const {
   return pending != nullptr ? *pending : previous_;
 }
 
+void Odometry::RemoveOverlay(const cv::Mat& mask) {
+  CullMaskedLandmarks(mask, map_);
+  RemoveMaskedKeypoints(mask, previous_);
+  initializer_->RemoveMasked(mask);
+}
+
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   const StageClock::Scope scope(clock_, &StageTimes::extract_ms);
   orb::Features features;
@@ -95,6 +109,7 @@ Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat
   Frame frame =
       MakeFrame(history_->size(), time_ns, std::move(features), camera(), std::move(patches));
   history_->Add(frame);
+  history_->outcome(frame.index).masked_share = overlay_->masked_share();
   return frame;
 }
 

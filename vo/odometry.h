@@ -28,6 +28,7 @@ class Initializer;
 class Mapper;
 class Relocalizer;
 class RepeatDetector;
+class StaticOverlay;
 class Tracker;
 struct InitializationResult;
 struct MapUpdate;
@@ -111,6 +112,8 @@ class Odometry {
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
+  /// Removes what has been found to move with the camera from the map and from frames.
+  void RemoveOverlay(const cv::Mat& mask);
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
   /// Updates everything that depends on keyframes and camera after an update of the map.
   void ApplyUpdate(const MapUpdate& update);
@@ -136,6 +139,7 @@ class Odometry {
   OdometryOptions options_;
   int threads_;
   std::unique_ptr<RepeatDetector> repeats_;
+  std::unique_ptr<StaticOverlay> overlay_;
   orb::Extractor extractor_;
   Map map_;
   std::unique_ptr<Initializer> initializer_;

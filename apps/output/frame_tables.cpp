@@ -9,14 +9,15 @@ namespace corvo {
 
 std::string FrameTable(const Trajectory& trajectory) {
   std::string table =
-      "index,timestamp,state,reason,segment,posed,features,matches,inliers,parallax,"
+      "index,timestamp,state,reason,segment,posed,features,matches,inliers,parallax,masked,"
       "window_adjustment,camera_adjustment\n";
   for (const FrameResult& frame : trajectory.frames) {
-    table += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{:.6f},{},{}\n", frame.index, FormatSeconds(frame.time_ns),
-        ToString(frame.state), ToString(frame.reason), frame.segment,
-        frame.world_from_camera ? 1 : 0, frame.num_features, frame.num_matches, frame.num_inliers,
-        frame.parallax_deg, ToString(frame.window_adjustment), ToString(frame.camera_adjustment));
+    table +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{:.6f},{:.4f},{},{}\n", frame.index,
+                    FormatSeconds(frame.time_ns), ToString(frame.state), ToString(frame.reason),
+                    frame.segment, frame.world_from_camera ? 1 : 0, frame.num_features,
+                    frame.num_matches, frame.num_inliers, frame.parallax_deg, frame.masked_share,
+                    ToString(frame.window_adjustment), ToString(frame.camera_adjustment));
   }
   return table;
 }

@@ -33,6 +33,8 @@ std::string_view Advice(Reason reason) {
       return "points do not triangulate: check the camera file, or move further";
     case Reason::kTooFewInliers:
       return "tracking lost the map: blur, fast turns, or things that move";
+    case Reason::kStaticOverlay:
+      return "most of the image moves with the camera: exclude it with --mask";
     case Reason::kRepeatedImage:
       return "the image repeats the one before";
   }

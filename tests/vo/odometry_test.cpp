@@ -135,6 +135,41 @@ TEST(OdometryTest, RepeatedFramesHaveThePoseOfTheirOriginalAndDisturbNothing) {
   }
 }
 
+TEST(OdometryTest, TextureThatMovesWithTheCameraIsMaskedAndDoesNotHoldTheCamera) {
+  const std::vector<cv::Mat> drive = MakeDrive(40, 1);
+  const cv::Mat texture = test::MakeTexture(640, 480, 77);
+  std::vector<cv::Mat> covered;
+  for (const cv::Mat& image : drive) {
+    covered.push_back(image.clone());
+    texture.rowRange(330, 480).copyTo(covered.back().rowRange(330, 480));
+  }
+  const Trajectory trajectory = RunDrive(covered, 1);
+  EXPECT_GE(trajectory.PosedShare(), 0.9);
+  EXPECT_NEAR(trajectory.frames.back().masked_share, 150. / 480, 0.1);
+  const PoseSequence poses = trajectory.PosedFrames();
+  const Eigen::Vector3d whole =
+      poses.back().world_from_camera.translation() - poses.front().world_from_camera.translation();
+  EXPECT_NEAR(whole.normalized().x(), 1, 0.01);
+  for (std::size_t i = 11; i < poses.size(); ++i) {
+    const Eigen::Vector3d moved =
+        poses[i].world_from_camera.translation() - poses[i - 10].world_from_camera.translation();
+    EXPECT_NEAR(moved.norm(), 10 * whole.norm() / (poses.size() - 1.0), 0.1 * moved.norm()) << i;
+  }
+}
+
+TEST(OdometryTest, AnOverlayOverMostOfTheImageIsTheReason) {
+  const cv::Mat texture = test::MakeTexture(640, 480, 77);
+  std::vector<cv::Mat> covered;
+  for (const cv::Mat& image : MakeDrive(40, 1)) {
+    covered.push_back(image.clone());
+    texture.rowRange(220, 480).copyTo(covered.back().rowRange(220, 480));
+    if (covered.size() > 25) covered.back().rowRange(0, 220) = cv::Scalar(90);
+  }
+  const FrameResult last = RunDrive(covered, 1).frames.back();
+  EXPECT_FALSE(last.world_from_camera);
+  EXPECT_EQ(last.reason, Reason::kStaticOverlay);
+}
+
 TEST(OdometryTest, ACameraThatStopsAndGoesOnIsTracked) {
   const std::vector<cv::Mat> drive = MakeDrive(30, 2);
   std::vector<cv::Mat> images(drive.begin(), drive.begin() + 15);

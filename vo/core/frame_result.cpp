@@ -39,6 +39,8 @@ std::string_view ToString(Reason reason) {
       return "bad_triangulation";
     case Reason::kTooFewInliers:
       return "too_few_inliers";
+    case Reason::kStaticOverlay:
+      return "static_overlay";
     case Reason::kRepeatedImage:
       return "repeated_image";
   }

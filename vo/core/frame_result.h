@@ -33,6 +33,7 @@ enum class Reason : std::uint8_t {
   kAmbiguousMotion,   ///< Initializing: no motion explains the matches clearly better than others.
   kBadTriangulation,  ///< Initializing: too few points in front with parallax and a low error.
   kTooFewInliers,     ///< Tracking: too few matches are inliers of a pose.
+  kStaticOverlay,     ///< Too few keypoints: what moves with the camera covers most of the image.
   kRepeatedImage,     ///< Posed: the image repeats that of an earlier frame, whose pose it has.
 };
 
@@ -49,6 +50,8 @@ struct FrameOutcome {
   int segment = kNoId;  ///< Only poses of one segment are comparable. kNoId before the first.
   int repeats = kNoId;  ///< Index of the frame whose image this one repeats; or kNoId.
   int num_features = 0;
+  /// Share of the image that was excluded because it moves with the camera, 0 to 1.
+  double masked_share = 0;
   int num_matches = 0;      ///< Matches with the reference frame or, with a map, with landmarks.
   int num_inliers = 0;      ///< Matches that are consistent with the motion or pose.
   double parallax_deg = 0;  ///< Median over the matches, rotation removed; while initializing.

@@ -2,6 +2,7 @@
 #include "vo/map/frame.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,6 +39,28 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   frame.landmarks.assign(frame.rays.size(), kNoId);
   frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
   return frame;
+}
+
+void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame) {
+  std::vector<int> kept;
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    const auto x = static_cast<int>(frame.keypoint(k).x), y = static_cast<int>(frame.keypoint(k).y);
+    if (mask.at<uchar>(y, x) != 0) kept.push_back(k);
+  }
+  const auto select = [&](auto& values) {
+    if (values.empty()) return;
+    std::remove_reference_t<decltype(values)> selected;
+    for (const int k : kept) selected.push_back(values[k]);
+    values = std::move(selected);
+  };
+  select(frame.features.keypoints);
+  select(frame.features.descriptors);
+  select(frame.patches);
+  select(frame.pixels);
+  select(frame.rays);
+  select(frame.is_aligned);
+  select(frame.landmarks);
+  frame.keypoint_index = orb::KeypointIndex(frame.features.keypoints);
 }
 
 void CheckImage(const cv::Mat& image, const Camera& camera) {

@@ -43,6 +43,9 @@ struct Frame {
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
 
+/// Removes the keypoints at which `mask`, 8-bit and of the image's size, is zero.
+void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame);
+
 /// Throws corvo::Error unless the image is 8-bit gray and has the size of the camera.
 void CheckImage(const cv::Mat& image, const Camera& camera);
 

@@ -70,6 +70,19 @@ void CullLandmarks(const CullingOptions& options, std::vector<LandmarkId>& proba
   probation = std::move(remaining);
 }
 
+void CullMaskedLandmarks(const cv::Mat& mask, Map& map) {
+  for (const KeyframeId id : map.ActiveKeyframes()) {
+    const Frame& frame = map.keyframe(id).frame;
+    for (int k = 0; k < frame.num_keypoints(); ++k) {
+      const cv::Point pixel(static_cast<int>(frame.keypoint(k).x),
+                            static_cast<int>(frame.keypoint(k).y));
+      if (frame.landmarks[k] != kNoId && mask.at<uchar>(pixel) == 0) {
+        map.RemoveLandmark(frame.landmarks[k]);
+      }
+    }
+  }
+}
+
 std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& options, Map& map) {
   std::vector<KeyframeId> candidates, culled;
   for (const Covisible& covisible : map.FindCovisible(newest)) {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "vo/core/options.h"
 #include "vo/map/map.h"
 
@@ -13,6 +15,10 @@ namespace corvo {
 /// which they should be visible, or observed by too few keyframes at the age
 /// `min_observations_age`. Afterwards `probation` holds those that are still on probation.
 void CullLandmarks(const CullingOptions& options, std::vector<LandmarkId>& probation, Map& map);
+
+/// Removes the landmarks that active keyframes observe where `mask`, 8-bit and of the image's size,
+/// is zero.
+void CullMaskedLandmarks(const cv::Mat& mask, Map& map);
 
 /// Culls the keyframes covisible with `newest` whose landmarks are nearly all observed by enough
 /// other keyframes in the same or a finer octave, and returns them in ascending order. The first

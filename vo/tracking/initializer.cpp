@@ -74,6 +74,11 @@ void Initializer::SetCamera(const Camera& camera) {
   for (Frame& frame : frames_) UpdateRays(camera, frame);
 }
 
+void Initializer::RemoveMasked(const cv::Mat& mask) {
+  for (Frame& frame : frames_) RemoveMaskedKeypoints(mask, frame);
+  planes_ = PlaneHypotheses();
+}
+
 void Initializer::StartFrom(Frame posed) {
   Keep(std::move(posed));
   has_rotation_.back() = true;

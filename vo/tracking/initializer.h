@@ -45,6 +45,9 @@ class Initializer {
   /// Replaces the camera, also for the frames collected so far.
   void SetCamera(const Camera& camera);
 
+  /// Removes the keypoints of the collected frames at which `mask` is zero.
+  void RemoveMasked(const cv::Mat& mask);
+
   /// Adds a posed frame as the reference. Must be called only while no frame is collected.
   void StartFrom(Frame posed);
 
