@@ -24,23 +24,24 @@ constexpr int kBadInput = 1;
 constexpr const char* kFooter = R"(Examples:
   corvo synth room -o room                                # a sequence with exact ground truth
   corvo run room --camera room/camera.yaml -o result      # its trajectory and map
-  corvo eval result/trajectory.tum room/groundtruth.txt   # how accurate that is
-  corvo calibrate drive.mp4 -o camera.yaml                # a camera from its video alone
+  corvo eval result/trajectory.tum room/groundtruth.txt   # the accuracy of the trajectory
+  corvo calibrate drive.mp4 -o camera.yaml                # a camera calibrated from its video
   corvo config > config.yaml                              # every option, its default and meaning
 
 'corvo COMMAND --help' shows the options of a command, with examples.)";
 
-/// Everything but results goes to standard error, a line a message: "corvo: error: ...".
+/// Sends all messages to standard error, one per line: "corvo: error: ...". Standard output is for
+/// results only.
 void SetUpLogging() {
   spdlog::set_default_logger(spdlog::stderr_logger_st("corvo"));
   spdlog::set_pattern("corvo: %l: %v");
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }
 
-/// The first line of a message, for messages of libraries that have several.
+/// Returns the first line of a message. Messages of libraries may have several.
 std::string FirstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
 
-/// Prints help where that was asked for.
+/// Prints the help text or version if requested, otherwise logs the error. Returns the exit code.
 int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   spdlog::error("{} (see --help)", FirstLine(error.what()));
@@ -82,7 +83,7 @@ int Main(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return corvo::Main(argc, argv);
-  } catch (...) {  // Even the report of an error failed.
+  } catch (...) {  // Reporting the error has failed, too.
     return 1;
   }
 }

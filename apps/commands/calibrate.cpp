@@ -31,35 +31,35 @@ namespace fs = std::filesystem;
 constexpr int kNotCalibrated = 2;
 
 constexpr const char* kFooter =
-    R"(All inputs are of one camera with one setting of its zoom and focus. The focal length starts from a
-sweep over fields of view; then the odometry runs over each input, all of them are adjusted together,
-and both again while the focal length changes by more than 1%. Of the models, the simplest is taken
-that the Bayesian information criterion does not clearly reject. The camera file has the standard
-deviations; beside it an image shows what is left over.
+    R"(All inputs must come from one camera with one zoom and focus setting. The focal length is initialized
+by a sweep over fields of view. Then the odometry runs over each input and all inputs are adjusted
+jointly; both steps repeat while the focal length changes by more than 1%. The command selects the
+simplest camera model that the Bayesian information criterion does not clearly reject. The camera
+file includes the standard deviations; an image beside it shows the mean residuals.
 
 Examples:
   corvo calibrate drive.mp4 -o camera.yaml
   corvo calibrate drive.mp4 images/ -o camera.yaml --every 2
   corvo calibrate drive.mp4 --model radtan -o camera.yaml
 
-Exit codes: 0 done, 1 wrong usage or input, 2 no input could be tracked or adjusted, 130 interrupted.)";
+Exit codes: 0 done, 1 invalid usage or input, 2 no input could be tracked or adjusted, 130 interrupted.)";
 
 struct CalibrateArguments {
   std::vector<fs::path> inputs;
   fs::path output;
-  std::string model;  ///< Empty: the one that fits.
+  std::string model;  ///< If empty, the simplest model that fits is selected.
   std::optional<double> frame_rate_hz;
   Selection selection;
   int threads = 1;
 };
 
-/// Opens each input, every image of the size of its first.
+/// Returns an opener for each input. All images of an input must have the size of its first image.
 std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
   constexpr double kDefaultFrameRateHz = 30;
   std::vector<StreamOpener> openers;
   for (const fs::path& input : arguments.inputs) {
     if (IsLiveInput(input.string())) {
-      throw Error(fmt::format("{}: is a live camera, whose images come but once; give a recording",
+      throw Error(fmt::format("{}: is a live camera, which cannot be read twice; give a recording",
                               input.string()));
     }
     openers.push_back(ToStreamOpener([input, &arguments] {
@@ -73,7 +73,7 @@ std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
   return openers;
 }
 
-/// The models that are tried.
+/// Returns the model of that name, or all models if `name` is empty.
 std::vector<CalibrationModel> ModelsOf(const std::string& name) {
   std::vector<CalibrationModel> models;
   for (const CalibrationModel model : AllCalibrationModels()) {
@@ -103,7 +103,7 @@ void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
   output.Write(name, WriteCameraFile(
                          {camera, {}, "estimated by corvo calibrate", EstimatedSigmas(candidate)}));
   if (!DrawResiduals(camera, candidate.bundles, output.Stage(image))) {
-    spdlog::warn("no {}: gnuplot is missing or failed (Debian: gnuplot-nox)", image);
+    spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)", image);
   }
   output.Commit({image, name});
 }
@@ -113,7 +113,7 @@ int Calibrate(const CalibrateArguments& arguments) {
   const CameraCalibration calibration = CalibrateInputs(arguments);
   ReportFocalSearch(calibration.start);
   if (calibration.selected == kNoId) {
-    spdlog::error("no input could be {}: nothing is written",
+    spdlog::error("no input could be {}; nothing was written",
                   calibration.candidates.empty() ? "tracked" : "adjusted");
     return kNotCalibrated;
   }
@@ -129,7 +129,7 @@ int CalibrateUnlessInterrupted(const CalibrateArguments& arguments) {
   try {
     return Calibrate(arguments);
   } catch (const Interrupted&) {
-    spdlog::error("interrupted: nothing is written");
+    spdlog::error("interrupted; nothing was written");
     return kInterrupted;
   }
 }
@@ -138,23 +138,26 @@ int CalibrateUnlessInterrupted(const CalibrateArguments& arguments) {
 
 void AddCalibrateCommand(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("calibrate", "Find a camera from its videos, without a board");
+      app.add_subcommand("calibrate", "Calibrate a camera from its videos, without a board");
   const auto arguments = std::make_shared<CalibrateArguments>();
   command
-      ->add_option("INPUT", arguments->inputs,
-                   "folders or quoted patterns of images, sequences as of 'corvo run', videos; a "
-                   "dataset's own calibration is not looked at")
+      ->add_option(
+          "INPUT", arguments->inputs,
+          "image folders, quoted file patterns, sequences as for 'corvo run', or videos; the "
+          "calibration of a dataset is ignored")
       ->required();
   command->add_option("-o,--output", arguments->output, "camera file to write")->required();
   command
       ->add_option("--model", arguments->model,
                    "pinhole, radtan, kb4 or fov (default: the simplest that fits)")
       ->check(CLI::IsMember({"pinhole", "radtan", "kb4", "fov"}));
-  AddFormerOption(*command, "--focal", "is not needed: the focal length is always searched");
-  command->add_option("--fps", arguments->frame_rate_hz, "frames a second of images without times")
+  AddFormerOption(*command, "--focal", "is not needed: the focal length is always estimated");
+  command
+      ->add_option("--fps", arguments->frame_rate_hz, "frame rate of images without timestamps, Hz")
       ->check(CLI::Range(1e-3, 1e6));
   AddSelectionOptions(*command, arguments->selection);
-  command->add_option("--threads", arguments->threads, "threads; never changes the result")
+  command
+      ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->footer(kFooter);

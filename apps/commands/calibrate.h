@@ -5,7 +5,7 @@
 
 namespace corvo {
 
-/// Adds `corvo calibrate`; sets `exit_code` when it has run.
+/// Adds the command `corvo calibrate`, which sets `exit_code` when it has run.
 void AddCalibrateCommand(CLI::App& app, int& exit_code);
 
 }  // namespace corvo

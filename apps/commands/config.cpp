@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kFooter = R"(Examples:
   corvo config > config.yaml                    # the defaults, each with its range and meaning
-  corvo config --print configs/orb_2011.yaml    # check a file, and print what it stands for)";
+  corvo config --print configs/orb_2011.yaml    # check a file and print all resulting options)";
 
 void PrintConfig(const std::filesystem::path& file) {
   fmt::print("{}", WriteOptions(file.empty() ? OdometryOptions{} : ReadOptions(file)));
@@ -22,11 +22,13 @@ void PrintConfig(const std::filesystem::path& file) {
 }  // namespace
 
 void AddConfigCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("config", "Print the default options, or check a file");
+  CLI::App* command =
+      app.add_subcommand("config", "Print the default options, or check an options file");
   const auto file = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *file, "options to check; what it leaves out keeps its default");
+  command->add_option("FILE", *file,
+                      "options file to check; options that it omits keep their defaults");
   command->add_flag_callback(
-      "--print", [] {}, "print the options; done with and without it");
+      "--print", [] {}, "print the options (this is always done)");
   command->footer(kFooter);
   command->callback([file] { PrintConfig(*file); });
 }

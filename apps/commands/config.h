@@ -5,7 +5,7 @@
 
 namespace corvo {
 
-/// Adds `corvo config`: prints the options, the defaults or those of a file.
+/// Adds the command `corvo config`, which prints the default options or those of a file.
 void AddConfigCommand(CLI::App& app);
 
 }  // namespace corvo

@@ -21,17 +21,17 @@ namespace corvo {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
-  corvo eval result                                  # a run, and the truth that it found
-  corvo eval result MH_01_easy                       # ... and the truth that a dataset ships
+  corvo eval result                                  # a run and the ground truth that it used
+  corvo eval result MH_01_easy                       # a run and the ground truth of a dataset
   corvo eval estimate.txt truth.txt
   corvo eval estimate.txt poses/03.txt --times sequences/03/times.txt
   corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.png
   corvo eval result groundtruth.txt --states tracking --rpe-seconds 2 --json
 
 EST and GT are in TUM format (8 columns: seconds, position, quaternion), KITTI format (12 columns,
-no times) or EuRoC's (commas: ns, position, quaternion), whose truth is moved from the body to cam0
-by the calibration beside it. Two KITTI files are compared row by row. --align sim3 is for monocular
-trajectories. ATE and RPE are those of evo:
+no timestamps) or EuRoC format (comma-separated: ns, position, quaternion). EuRoC ground truth is
+moved from the body to cam0 with the calibration beside it. Two KITTI files are compared row by row.
+Use --align sim3 for monocular trajectories. ATE and RPE are defined as in evo:
   evo_ape tum GT EST -as
   evo_rpe tum GT EST -as -d 1 -u f --all_pairs              # --rpe-frames 1
   evo_rpe tum GT EST -as -d 1 -u m --pairs_from_reference   # --rpe-meters 1)";
@@ -39,7 +39,7 @@ trajectories. ATE and RPE are those of evo:
 struct EvalArguments {
   EvalFiles files;
   std::filesystem::path image;
-  std::filesystem::path frames;  ///< Empty: the frames.csv beside the estimate.
+  std::filesystem::path frames;  ///< If empty, the frames.csv beside the estimate.
   FrameSelection selection;
   std::string alignment = "sim3";
   std::optional<double> max_dt_s;
@@ -91,48 +91,51 @@ void Eval(const EvalArguments& arguments) {
   if (arguments.image.empty()) return;
   const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
   if (!DrawTrajectory({{aligned}, inputs.truth}, arguments.image)) {
-    spdlog::warn("no {}: gnuplot is missing or failed", arguments.image.string());
+    spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)",
+                 arguments.image.string());
   }
 }
 
 void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
   command
       .add_option("EST", arguments.files.estimate,
-                  "estimated trajectory, or the folder that corvo run wrote")
+                  "estimated trajectory, or output folder of 'corvo run'")
       ->required();
   command.add_option(
       "GT", arguments.files.truth,
-      "ground truth, or the folder of a sequence that has it in its layout (default: "
-      "what the run in EST was compared with)");
-  command.add_option("--times", arguments.files.times, "times of the rows of a KITTI file");
+      "ground truth, or folder of a dataset sequence that has it (default: the ground truth that "
+      "the run in EST was compared with)");
+  command.add_option("--times", arguments.files.times,
+                     "file with the timestamps of the rows of a KITTI file");
   command
       .add_option("--states", arguments.selection.states,
-                  "only frames that frames.csv has in these states, such as tracking")
+                  "use only frames whose state in frames.csv is one of these, e.g. tracking")
       ->delimiter(',');
   command
-      .add_option("--segment", arguments.selection.segment, "only frames of this segment, from 0")
+      .add_option("--segment", arguments.selection.segment,
+                  "use only frames of this segment, from 0")
       ->check(CLI::Range(0, 1'000'000'000));
   command.add_option("--frames", arguments.frames,
-                     "the run's frames.csv (default: that beside the estimate)");
+                     "frames.csv of the run (default: the one beside the estimate)");
 }
 
 void AddMeasureOptions(CLI::App& command, EvalArguments& arguments) {
-  command.add_option("--align", arguments.alignment, "what the estimate may be moved by")
+  command.add_option("--align", arguments.alignment, "transformation that aligns the estimate")
       ->check(CLI::IsMember({"sim3", "se3", "scale", "none"}))
       ->capture_default_str();
   command
       .add_option("--max-dt", arguments.max_dt_s,
-                  "seconds between poses that are compared (default: half a frame)")
+                  "maximum time difference of compared poses, s (default: half a frame interval)")
       ->check(CLI::Range(0.0, 1e6));
-  command.add_option("--rpe-frames", arguments.rpe_frames, "frames that a relative error spans")
+  command.add_option("--rpe-frames", arguments.rpe_frames, "interval of the RPE over frames")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command.add_option("--rpe-seconds", arguments.rpe_seconds, "seconds that another spans")
+  command.add_option("--rpe-seconds", arguments.rpe_seconds, "interval of the RPE over time, s")
       ->check(CLI::Range(1e-9, 1e6))
       ->capture_default_str();
   command
       .add_option("--rpe-meters", arguments.rpe_meters,
-                  "length of the true path that a third spans, in the truth's unit (default: none)")
+                  "interval of the RPE over the ground truth's path, in its unit (default: none)")
       ->check(CLI::Range(1e-9, 1e9));
   AddFormerOption(command, "--rpe-metres", "is now --rpe-meters");
 }
@@ -140,12 +143,12 @@ void AddMeasureOptions(CLI::App& command, EvalArguments& arguments) {
 }  // namespace
 
 void AddEvalCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("eval", "Measure a trajectory against the ground truth");
+  CLI::App* command = app.add_subcommand("eval", "Evaluate a trajectory against ground truth");
   const auto arguments = std::make_shared<EvalArguments>();
   AddInputOptions(*command, *arguments);
   AddMeasureOptions(*command, *arguments);
   command->add_flag("--json", arguments->json, "print JSON");
-  command->add_option("--plot", arguments->image, "draw both as PNG");
+  command->add_option("--plot", arguments->image, "PNG file for a plot of both trajectories");
   command->footer(kFooter);
   command->callback([arguments] { Eval(*arguments); });
 }

@@ -5,7 +5,7 @@
 
 namespace corvo {
 
-/// Adds `corvo eval`: how far an estimated trajectory is from the truth.
+/// Adds the command `corvo eval`, which evaluates an estimated trajectory against ground truth.
 void AddEvalCommand(CLI::App& app);
 
 }  // namespace corvo

@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(For each image NAME.png it writes NAME_features.png, the image with its keypoints (a circle that
-grows with the octave, a line in the keypoint's direction, a color an octave), and
+    R"(For each image NAME.png the command writes NAME_features.png, the image with its keypoints (a circle
+that grows with the octave, a line in the keypoint's direction, one color per octave), and
 NAME_features.csv: x, y (px), octave, angle (degrees), response and descriptor (hexadecimal).
 
 Examples:
@@ -35,22 +35,22 @@ struct FeaturesArguments {
   fs::path config;
 };
 
-/// Of both files of an image.
+/// Returns the stem of the names of both result files of an image.
 std::string ResultName(const fs::path& image) { return image.stem().string() + "_features"; }
 
-/// Throws where the results of two images would have the same name.
+/// Throws corvo::Error if the results of two images would have the same name.
 void CheckNames(const std::vector<fs::path>& images) {
   for (auto image = images.begin(); image != images.end(); ++image) {
     const auto twin = std::find_if(images.begin(), image, [&](const fs::path& other) {
       return ResultName(other) == ResultName(*image);
     });
     if (twin == image) continue;
-    throw Error(fmt::format("{} and {}: the results of both would be {}; choose two output folders",
+    throw Error(fmt::format("{} and {}: both results would be named {}; use two output folders",
                             twin->string(), image->string(), ResultName(*image)));
   }
 }
 
-/// Writes the results of one image and describes them in a line.
+/// Writes the results of one image and returns a line that describes them.
 std::string ExtractImage(const fs::path& file, const orb::Extractor& extractor,
                          const OutputFolder& output) {
   const cv::Mat image = ReadGrayImage(file);
@@ -85,7 +85,7 @@ void AddFeaturesCommand(CLI::App& app) {
   const auto arguments = std::make_shared<FeaturesArguments>();
   command->add_option("IMAGE", arguments->images, "images")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
-  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   command->footer(kFooter);
   command->callback([arguments] { ExtractFeatures(*arguments); });
 }

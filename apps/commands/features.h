@@ -5,8 +5,8 @@
 
 namespace corvo {
 
-/// `corvo features IMAGE... -o DIR`: the features of images, drawn and as tables. Its callback
-/// throws corvo::Error.
+/// Adds the command `corvo features IMAGE... -o DIR`, which extracts the features of images and
+/// writes them as drawings and tables. Its callback throws corvo::Error.
 void AddFeaturesCommand(CLI::App& app);
 
 }  // namespace corvo

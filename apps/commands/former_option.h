@@ -7,7 +7,7 @@
 
 namespace corvo {
 
-/// Answers an option of an earlier version by an error that says what has taken its place.
+/// Adds a hidden option of an earlier version that fails with the message `replacement`.
 inline void AddFormerOption(CLI::App& command, const std::string& name,
                             const std::string& replacement) {
   command

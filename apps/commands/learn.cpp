@@ -30,11 +30,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(Keypoints of the images are looked for again in synthetic views of them; chosen are 256 tests that
-tell views of one keypoint from other keypoints and correlate little (Rublee et al., "ORB: an
-efficient alternative to SIFT or SURF", ICCV 2011, section 4.3, with the views added). The order of
-the images does not matter. 300,000 keypoints take 0.9 GB. The options' extractor.pattern takes the
-file written.
+    R"(Keypoints of the images are detected again in synthetic views of them. The command selects 256 binary
+tests that distinguish the views of one keypoint from other keypoints and have little correlation
+(Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011, section 4.3, extended
+with the views). The order of the images does not matter. 300,000 keypoints need 0.9 GB of memory.
+To use the pattern, set the option extractor.pattern to the written file.
 
 Examples:
   corvo learn photographs -o pattern.inc
@@ -49,7 +49,7 @@ struct LearnArguments {
   int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
 };
 
-/// The images, those of folders too, in the order of their names.
+/// Returns the given images and the images in the given folders, sorted by path.
 std::vector<fs::path> ListTrainingImages(const std::vector<fs::path>& paths) {
   std::vector<fs::path> images;
   for (const fs::path& path : paths) {
@@ -63,7 +63,8 @@ std::vector<fs::path> ListTrainingImages(const std::vector<fs::path>& paths) {
   return images;
 }
 
-/// Tells on standard error how far the learning is: on a terminal a bar, else a line a stage.
+/// Reports the progress of learning on standard error: as a bar on a terminal, otherwise as one
+/// line per stage.
 class LearningReport {
  public:
   void ShowSampling(int round, int num_sampled, int num_wanted) {
@@ -88,8 +89,8 @@ class LearningReport {
   std::string stage_;
 };
 
-/// Samples a batch of images in parallel, each in its own view of this round. `first` is the index
-/// of the batch's first image among all.
+/// Samples a batch of images in parallel, each with its own view of this round. `first` is the
+/// index of the batch's first image among all images.
 std::vector<TrainingPairs> SampleImages(std::span<const fs::path> batch, int first, int round,
                                         const TrainingPairSampler& sampler, orb::Workers& workers) {
   std::vector<TrainingPairs> pairs(batch.size());
@@ -100,8 +101,8 @@ std::vector<TrainingPairs> SampleImages(std::span<const fs::path> batch, int fir
   return pairs;
 }
 
-/// Goes through the images, each time with another view of each, until there are as many
-/// keypoints as wanted.
+/// Samples all images repeatedly, with a different view of each in every round, until the training
+/// set is full or kMaxRounds is reached.
 orb::TrainingSet SampleKeypoints(const LearnArguments& arguments,
                                  const std::vector<fs::path>& images, LearningReport& report) {
   constexpr int kMaxRounds = 20;
@@ -139,7 +140,7 @@ std::string FileText(const LearnArguments& arguments, int num_images, int num_ke
 void Learn(const LearnArguments& arguments) {
   CheckOutputFile(arguments.output, "the pattern");
   if (arguments.source.find_first_of("\r\n\\") != std::string::npos) {
-    throw Error("--source must be one line, without backslashes");
+    throw Error("--source must be one line without backslashes");
   }
   const std::vector<fs::path> images = ListTrainingImages(arguments.images);
   LearningReport report;
@@ -158,19 +159,22 @@ void Learn(const LearnArguments& arguments) {
 }  // namespace
 
 void AddLearnCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("learn", "Learn the descriptors' tests from images");
+  CLI::App* command =
+      app.add_subcommand("learn", "Learn the binary tests of descriptors from images");
   const auto arguments = std::make_shared<LearnArguments>();
-  command->add_option("IMAGE", arguments->images, "images, or folders of them")->required();
-  command->add_option("-o,--output", arguments->output, "file for the pattern")->required();
-  command->add_option("--keypoints", arguments->num_keypoints, "to learn from, at most")
+  command->add_option("IMAGE", arguments->images, "images or folders of images")->required();
+  command->add_option("-o,--output", arguments->output, "pattern file to write")->required();
+  command
+      ->add_option("--keypoints", arguments->num_keypoints,
+                   "maximum number of keypoints to learn from")
       ->check(CLI::Range(orb::kMinTrainingSize, 1000000))
       ->capture_default_str();
   command->add_option("--source", arguments->source,
-                      "where the images come from, for the file's comment");
-  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+                      "origin of the images, written to the file as a comment");
+  command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   command
       ->add_option("--threads", arguments->threads,
-                   "threads; never changes the result (default: as many as processors)")
+                   "number of threads; does not affect the result (default: number of processors)")
       ->check(CLI::Range(1, 256));
   command->footer(kFooter);
   command->callback([arguments] { Learn(*arguments); });

@@ -5,8 +5,8 @@
 
 namespace corvo {
 
-/// `corvo learn IMAGE... -o PATTERN`: the binary tests of descriptors, learned from images. Its
-/// callback throws corvo::Error.
+/// Adds the command `corvo learn IMAGE... -o PATTERN`, which learns the binary tests of descriptors
+/// from images. Its callback throws corvo::Error.
 void AddLearnCommand(CLI::App& app);
 
 }  // namespace corvo

@@ -19,10 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
-    R"(Matches are mutual nearest neighbors that pass the options' matching.max_tracking_distance and
-tracker.max_ratio. Written are matches.png, both images with the matches (green where they agree
-with one homography, else red), matches.csv, and where there is one homography.txt, row by row, which
-takes pixels of A to pixels of B.
+    R"(Matches are mutual nearest neighbors within the limits of the options matching.max_tracking_distance
+and tracker.max_ratio. The command writes matches.png, both images with the matches (green: inliers
+of a homography, red: all others), matches.csv and, if a homography was found, homography.txt, the
+3x3 matrix that maps pixels of A to pixels of B, row by row.
 
 Examples:
   corvo match a.png b.png -o matches
@@ -41,7 +41,7 @@ std::string HomographyText(const cv::Matx33d& h) {
 }
 
 std::string SummaryText(const MatchArguments& arguments, const ImageMatches& images) {
-  return fmt::format("{}: {} features\n{}: {} features\n{} matches, {} agree with a homography\n",
+  return fmt::format("{}: {} features\n{}: {} features\n{} matches, {} inliers of a homography\n",
                      arguments.first.string(), images.first.keypoints.size(),
                      arguments.second.string(), images.second.keypoints.size(),
                      images.matches.size(), images.num_inliers);
@@ -72,10 +72,10 @@ void Match(const MatchArguments& arguments) {
 void AddMatchCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("match", "Match the features of two images");
   const auto arguments = std::make_shared<MatchArguments>();
-  command->add_option("A", arguments->first, "image")->required();
-  command->add_option("B", arguments->second, "image")->required();
+  command->add_option("A", arguments->first, "first image")->required();
+  command->add_option("B", arguments->second, "second image")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
-  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   command->footer(kFooter);
   command->callback([arguments] { Match(*arguments); });
 }

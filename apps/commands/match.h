@@ -5,8 +5,8 @@
 
 namespace corvo {
 
-/// `corvo match A B -o DIR`: the matches between two images, drawn and as a table. Its callback
-/// throws corvo::Error.
+/// Adds the command `corvo match A B -o DIR`, which matches the features of two images and writes
+/// the matches as a drawing and a table. Its callback throws corvo::Error.
 void AddMatchCommand(CLI::App& app);
 
 }  // namespace corvo

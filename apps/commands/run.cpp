@@ -24,21 +24,21 @@ namespace corvo {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
-  corvo run sequences/03 -o result                    # KITTI odometry, its own calibration
-  corvo run sequences/03 --gt poses/03.txt -o result  # ... and how far off it is
+  corvo run sequences/03 -o result                    # KITTI with the dataset's calibration
+  corvo run sequences/03 --gt poses/03.txt -o result  # ... evaluated against ground truth
   corvo run MH_01_easy/mav0 -o result                 # EuRoC
   corvo run images/ --camera camera.yaml --fps 30 -o result
   corvo run 'images/left*.png' --camera camera.yaml --every 2 --resize 0.5 -o result
   corvo run drive.mp4 --camera phone.yaml --mask bonnet.png -o result
-  corvo run images/ --focal auto -o result            # ... no calibration at hand
-  corvo run sequences/03 --refine -o result           # ... adjusted as a whole at the end
+  corvo run images/ --focal auto -o result            # without a calibration
+  corvo run sequences/03 --refine -o result           # with global refinement at the end
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
-Exit codes: 0 done, 1 wrong usage, configuration or input, 2 never initialized, 3 lost part-way,
-130 interrupted with Ctrl-C: nothing is written, and earlier results stay as they are. A camera's
-sequence is ended by Ctrl-C, and written.)";
+Exit codes: 0 done, 1 invalid usage, configuration or input, 2 never initialized, 3 lost part-way,
+130 interrupted with Ctrl-C, in which case nothing is written and earlier results are kept. With a
+live camera, Ctrl-C ends the sequence and the results are written.)";
 
-/// What is recorded, before the first image.
+/// Returns an empty record whose odometry reports to it.
 RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
   RunRecord record(Odometry(inputs.camera, inputs.options, arguments.threads));
   record.odometry.SetLandmarkCallback(
@@ -49,7 +49,7 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
   return record;
 }
 
-/// Adjusts what was recorded as a whole, and shows how far that is.
+/// Refines the recorded sequence as a whole and shows the progress.
 void RefineRecord(const std::function<bool()>& is_interrupted, RunRecord& record) {
   ProgressLine line;
   record.refinement = Refine(record.odometry, record.observations, {}, [&](double share) {
@@ -95,7 +95,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   OutputFolder output(arguments.output);
   const RunRecord record = ProcessImages(inputs, arguments, interruption);
   if (record.is_interrupted) {
-    spdlog::error("interrupted after {} frames: nothing is written", record.timings.size());
+    spdlog::error("interrupted after {} frames; nothing was written", record.timings.size());
     return kInterrupted;
   }
   const RunSummary summary = Summarize(arguments, inputs, record);
@@ -105,11 +105,11 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
-  const Interruption interruption;  // Before any thread begins: each takes it over.
+  const Interruption interruption;  // Before any thread starts: threads inherit the signal mask.
   try {
     return Run(arguments, interruption);
   } catch (const Interrupted&) {
-    spdlog::error("interrupted while the camera was looked for: nothing is written");
+    spdlog::error("interrupted during the calibration of the camera; nothing was written");
     return kInterrupted;
   }
 }
@@ -117,21 +117,21 @@ int RunUnlessInterrupted(const RunArguments& arguments) {
 void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "folder for the results")->required();
   command.add_option("--draw", arguments.drawings,
-                     "folder for a drawing of every frame with its tracked features");
+                     "folder for drawings of every frame with its tracked features");
   command
       .add_option("--meters-per-unit", arguments.meters_per_unit,
-                  "scale of the written trajectories and map (default: the run's own unit)")
+                  "scale factor of the written trajectories and map (default: 1)")
       ->check(CLI::Range(1e-12, 1e12));
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 
 void AddTruthOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("--gt", arguments.truth,
-                     "ground truth in TUM, KITTI or EuRoC format (default: that of the dataset's "
-                     "layout, if it is there), or 'none'");
+                     "ground truth in TUM, KITTI or EuRoC format, or 'none' (default: the ground "
+                     "truth in the dataset's layout, if any)");
   command
       .add_option("--max-dt", arguments.max_dt_s,
-                  "seconds between poses that are compared (default: half a frame)")
+                  "maximum time difference of compared poses, s (default: half a frame interval)")
       ->check(CLI::Range(0.0, 1e6));
 }
 
@@ -143,17 +143,18 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   AddInputOptions(*command, *arguments);
   AddOutputOptions(*command, *arguments);
   AddTruthOptions(*command, *arguments);
-  command->add_option("--config", arguments->config, "options; see 'corvo config'");
+  command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   command->add_flag("--refine", arguments->refine,
-                    "after the last image adjust the whole sequence, and write the trajectory that "
-                    "comes of it");
+                    "adjust the whole sequence after the last image and write the refined "
+                    "trajectory");
   command
       ->add_option(
           "--calibration", arguments->calibration,
-          "estimate: the camera is known to within its standard deviations, and estimated; fixed: "
-          "it is exactly as given (default: as calibration.enabled of --config says)")
+          "estimate: estimate the camera, with its standard deviations as prior; fixed: use the "
+          "camera exactly as given (default: as set by calibration.enabled in --config)")
       ->check(CLI::IsMember({"estimate", "fixed"}));
-  command->add_option("--threads", arguments->threads, "threads; never changes the result")
+  command
+      ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->footer(kFooter);

@@ -5,7 +5,8 @@
 
 namespace corvo {
 
-/// Adds `corvo run`: images in, trajectory, map and account out. Sets `exit_code` to the Outcome.
+/// Adds the command `corvo run`, which computes a trajectory and a map from images, and reports on
+/// the run. It sets `exit_code` to the Outcome.
 void AddRunCommand(CLI::App& app, int& exit_code);
 
 }  // namespace corvo

@@ -46,7 +46,7 @@ void Synthesize(SynthArguments& arguments) {
              sequence.name(), arguments.folder);
 }
 
-/// An option that takes START,DURATION.
+/// Adds an option that takes START,DURATION in seconds.
 void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, const char* meaning) {
   const auto assign = [&span](const std::pair<double, double>& value) {
     span = {value.first, value.second};
@@ -57,14 +57,14 @@ void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, con
 }
 
 void AddEffects(CLI::App& command, synthetic::Effects& effects) {
-  AddSpan(command, "--dark", effects.dark, "seconds in which the light is all but out");
-  AddSpan(command, "--blur", effects.blur, "seconds in which motion blurs the images");
+  AddSpan(command, "--dark", effects.dark, "time span of near darkness, s");
+  AddSpan(command, "--blur", effects.blur, "time span of motion blur, s");
   command.add_option("--drift", effects.exposure_drift,
-                     "exposure swings by so many stops either way, in 8 s (0 to 3)");
+                     "amplitude of an exposure oscillation with a period of 8 s, stops (0 to 3)");
   command.add_option("--vignetting", effects.vignetting,
-                     "share of the light that the corners lose (0 to 0.95)");
+                     "fraction of the light that is lost in the corners (0 to 0.95)");
   command.add_option("--moving", effects.moving_share,
-                     "share of the image hidden by things that move (0 to 0.8)");
+                     "fraction of the image covered by moving objects (0 to 0.8)");
 }
 
 void AddScene(CLI::App& synth, const char* name, const char* description,
@@ -73,21 +73,25 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
   const auto arguments = std::make_shared<SynthArguments>();
   arguments->make = make;
   command->add_option("-o,--output", arguments->folder, "folder to write")->required();
-  command->add_option("--layout", arguments->layout, "of the files: TUM RGB-D, KITTI or EuRoC")
+  command
+      ->add_option("--layout", arguments->layout,
+                   "dataset layout of the files: TUM RGB-D, KITTI or EuRoC")
       ->check(CLI::IsMember({"tum", "kitti", "euroc"}))
       ->capture_default_str();
   command->add_option("--frames", arguments->options.frames, "number of images")
       ->capture_default_str();
-  command->add_option("--width", arguments->options.width,
-                      "width of the images, px; the rest follows (default: the scene's own)");
+  command->add_option(
+      "--width", arguments->options.width,
+      "width of the images, px; height and focal length scale with it (default: the "
+      "scene's own)");
   command->add_option("--camera", arguments->camera,
-                      "camera file, of any model, to film through instead of the scene's own");
+                      "camera file of any model; replaces the scene's own camera");
   command->add_option("--noise", arguments->options.noise_sigma,
-                      "standard deviation of the noise in each pixel, gray levels");
-  command->add_option("--seed", arguments->options.noise_seed, "of the noise")
+                      "standard deviation of the pixel noise, gray levels");
+  command->add_option("--seed", arguments->options.noise_seed, "random seed of the noise")
       ->capture_default_str();
   AddSpan(*command, "--turn", arguments->options.turn,
-          "seconds in which the camera stands and turns 40 degrees to either side");
+          "time span in which the camera stops and rotates 40 degrees to either side, s");
   AddEffects(*command, arguments->options.effects);
   command->add_flag("--force", arguments->force, "overwrite files in a folder that is not empty");
   command->callback([arguments] { Synthesize(*arguments); });
@@ -110,8 +114,8 @@ void AddSynthCommand(CLI::App& app) {
   AddScene(*synth, "street", "a drive along a street with bends", synthetic::MakeStreet);
   AddScene(*synth, "corridor", "a walk down a corridor with little texture",
            synthetic::MakeCorridor);
-  AddScene(*synth, "wall", "a camera before a plane", synthetic::MakePlanarWall);
-  AddScene(*synth, "rotation", "a camera that turns and does not move",
+  AddScene(*synth, "wall", "a camera in front of a plane", synthetic::MakePlanarWall);
+  AddScene(*synth, "rotation", "a camera that rotates without translating",
            synthetic::MakePureRotation);
 }
 

@@ -5,8 +5,8 @@
 
 namespace corvo {
 
-/// `corvo synth SCENE -o DIR`: renders a sequence with exact ground truth. Its callback throws
-/// corvo::Error.
+/// Adds the command `corvo synth SCENE -o DIR`, which renders a sequence with exact ground truth.
+/// Its callback throws corvo::Error.
 void AddSynthCommand(CLI::App& app);
 
 }  // namespace corvo

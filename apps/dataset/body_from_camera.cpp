@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The numbers of a list, or of a list of lists.
+/// Returns the numbers of a list, or of a list of lists.
 std::vector<double> Flatten(const YAML::Node& node) {
   std::vector<double> numbers;
   for (const YAML::Node& entry : node) {
@@ -37,21 +37,21 @@ SE3 ParseTransform(const YAML::Node& node, const char* key) {
   return SE3(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
 }
 
-/// None where the file has no T_BS.
+/// Returns std::nullopt if the file has no T_BS.
 std::optional<SE3> ParseSensor(const YAML::Node& root) {
   const YAML::Node node = root["T_BS"];
   if (!node) return std::nullopt;
   return ParseTransform(node.IsMap() ? node["data"] : node, "T_BS");
 }
 
-/// As Kalibr writes it. None where the file has no T_cam_imu.
+/// Parses a camchain.yaml as written by Kalibr. Returns std::nullopt if it has no T_cam_imu.
 std::optional<SE3> ParseCameraChain(const YAML::Node& root) {
   const YAML::Node camera = root["cam0"];
   if (!camera || !camera["T_cam_imu"]) return std::nullopt;
   return ParseTransform(camera["T_cam_imu"], "T_cam_imu").Inverse();
 }
 
-/// None where the file is not there or does not say.
+/// Returns std::nullopt if the file does not exist or does not contain the transform.
 std::optional<SE3> ReadTransform(const fs::path& file,
                                  std::optional<SE3> (*parse)(const YAML::Node&)) {
   if (!fs::exists(file)) return std::nullopt;
@@ -76,8 +76,8 @@ SE3 ReadBodyFromCamera(const fs::path& truth_file) {
     if (const auto found = ReadTransform(chain, ParseCameraChain)) return *found;
   }
   throw Error(
-      fmt::format("{}: holds the body's poses, and where the camera sits on the body is not known: "
-                  "there is neither T_BS in {} nor T_cam_imu in a camchain.yaml",
+      fmt::format("{}: contains poses of the body, but the pose of the camera on the body is "
+                  "unknown: there is neither T_BS in {} nor T_cam_imu in a camchain.yaml",
                   truth_file.string(), sensor.string()));
 }
 

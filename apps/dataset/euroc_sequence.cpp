@@ -12,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The camera's folder inside `mav0` or the folder that holds it.
+/// Returns the folder of cam0. `input` is `mav0` or its parent folder.
 fs::path CameraFolder(const fs::path& input) {
   const fs::path nested = input / "mav0" / "cam0";
   return fs::is_directory(nested) ? nested : input / "cam0";
 }
 
-/// `count` numbers (or more, up to `max_count`) of a sequence.
+/// Returns the list of numbers under `key`, which must have `count` to `max_count` entries.
 std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::size_t count,
                                 std::size_t max_count) {
   const YAML::Node node = root[key];
@@ -31,17 +31,19 @@ std::vector<double> ReadNumbers(const YAML::Node& root, const char* key, std::si
   return numbers;
 }
 
-/// EuRoC's radial-tangential (Kalibr's radtan), or Kalibr's equidistant, which is kb4.
+/// Returns the model for EuRoC's radial-tangential (Kalibr's radtan) distortion, or kb4 for
+/// Kalibr's equidistant distortion. Throws corvo::Error for any other model.
 CameraModel ParseModel(const YAML::Node& root) {
   const auto model = root["camera_model"].as<std::string>("");
   if (model != "pinhole") {
-    throw Error(fmt::format("camera_model is '{}'; supported is pinhole", model));
+    throw Error(fmt::format("camera_model is '{}'; only pinhole is supported", model));
   }
   const auto distortion = root["distortion_model"].as<std::string>("");
   if (distortion == "radial-tangential" || distortion == "radtan") return CameraModel::kPinhole;
   if (distortion == "equidistant") return CameraModel::kKb4;
-  throw Error(fmt::format(
-      "distortion_model is '{}'; supported are radial-tangential and equidistant", distortion));
+  throw Error(
+      fmt::format("distortion_model is '{}'; only radial-tangential and equidistant are supported",
+                  distortion));
 }
 
 void SetDistortion(std::vector<double> numbers, CameraParameters& camera) {
@@ -75,7 +77,7 @@ CameraParameters ParseSensor(const YAML::Node& root) {
   return ParseCamera(root, "distortion_coefficients");
 }
 
-/// As Kalibr writes it.
+/// Parses cam0 of a camchain.yaml as written by Kalibr.
 CameraParameters ParseCameraChain(const YAML::Node& root) {
   if (!root["cam0"]) throw Error("cam0 is missing");
   return ParseCamera(root["cam0"], "distortion_coeffs");
@@ -91,7 +93,8 @@ CameraParameters ReadCamera(const fs::path& file, CameraParameters (*parse)(cons
   }
 }
 
-/// EuRoC's is in the camera's folder, TUM-VI's beside `mav0`.
+/// Reads the calibration in the camera's folder (EuRoC) or beside `mav0` (TUM-VI). Returns
+/// std::nullopt if there is none.
 std::optional<CameraParameters> FindCamera(const fs::path& folder) {
   const fs::path sensor = folder / "sensor.yaml";
   if (fs::exists(sensor)) return ReadCamera(sensor, ParseSensor);

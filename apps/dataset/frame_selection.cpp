@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of all states.
+/// Returns the names of all states.
 std::vector<std::string_view> StateNames() {
   std::vector<std::string_view> names;
   for (int state = 0; ToString(static_cast<State>(state)) != "unknown"; ++state) {
@@ -29,11 +29,12 @@ void CheckStates(const std::vector<std::string>& states) {
   const std::vector<std::string_view> names = StateNames();
   for (const std::string& state : states) {
     if (std::find(names.begin(), names.end(), state) != names.end()) continue;
-    throw Error(fmt::format("\"{}\" is no state; there are {}", state, fmt::join(names, ", ")));
+    throw Error(
+        fmt::format("\"{}\" is not a state; the states are {}", state, fmt::join(names, ", ")));
   }
 }
 
-/// Column `name` of the header.
+/// Returns the index of the column `name` of the header. Throws corvo::Error if there is none.
 std::size_t FindColumn(const std::vector<std::string>& header, const char* name,
                        const fs::path& file) {
   const auto column = std::find(header.begin(), header.end(), name);
@@ -42,7 +43,7 @@ std::size_t FindColumn(const std::vector<std::string>& header, const char* name,
       fmt::format("{}: has no column {}; give the frames.csv of a run", file.string(), name));
 }
 
-/// Which column of frames.csv is what.
+/// The number of columns of frames.csv and the indices of those that are used.
 struct Columns {
   std::size_t count = 0, time = 0, state = 0, segment = 0;
 };

@@ -10,16 +10,16 @@
 
 namespace corvo {
 
-/// Which frames of a run's frames.csv are meant.
+/// A selection of the frames in a run's frames.csv.
 struct FrameSelection {
-  std::vector<std::string> states;  ///< Those in one of these, named as there; empty: in any.
-  std::optional<int> segment;       ///< Those of this segment; none: of any.
+  std::vector<std::string> states;  ///< Names of the selected states; empty for all states.
+  std::optional<int> segment;       ///< The selected segment; std::nullopt for all segments.
 
   bool SelectsAll() const { return states.empty() && !segment; }
 };
 
-/// The poses of the selected frames, found by their times. Throws corvo::Error naming file and
-/// line, and for a state that frames cannot have.
+/// Returns the poses whose timestamps are those of selected frames. Throws corvo::Error with file
+/// and line if the table is malformed, and for an unknown state.
 PoseSequence SelectFrames(const PoseSequence& poses, const std::filesystem::path& frames_csv,
                           const FrameSelection& selection);
 

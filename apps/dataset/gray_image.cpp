@@ -21,8 +21,9 @@ std::string ReadBytes(const fs::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// Decoders fill what is missing of a JPEG with gray and say nothing. A whole one has an
-/// end-of-image marker after its last start of scan; scans themselves never hold either.
+/// Returns whether the bytes are a truncated JPEG, whose missing part decoders silently fill with
+/// gray. A complete JPEG has an end-of-image marker after its last start-of-scan marker; scan data
+/// contain neither marker.
 bool IsTruncatedJpeg(const std::string& bytes) {
   if (bytes.compare(0, 2, "\xFF\xD8") != 0) return false;
   const std::size_t scan = bytes.rfind("\xFF\xDA");
@@ -30,7 +31,7 @@ bool IsTruncatedJpeg(const std::string& bytes) {
   return scan == std::string::npos || end == std::string::npos || end < scan;
 }
 
-/// A PNG's last chunk.
+/// Returns whether the bytes are a PNG without its last chunk, IEND.
 bool IsTruncatedPng(const std::string& bytes) {
   return bytes.compare(0, 4, "\x89PNG") == 0 && bytes.rfind("IEND") == std::string::npos;
 }
@@ -46,7 +47,7 @@ cv::Mat Decode(const std::string& bytes) {
   }
 }
 
-/// The upper eight of 16 bits.
+/// Converts 16-bit to 8-bit gray by keeping the upper eight bits.
 cv::Mat KeepUpperByte(const cv::Mat& image) {
   cv::Mat upper(image.size(), CV_8UC1);
   for (int y = 0; y < image.rows; ++y) {
@@ -63,8 +64,9 @@ cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
   const int channels = image.channels();
   if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U) ||
       (channels != 1 && channels != 3 && channels != 4)) {
-    throw Error(fmt::format("{}: an image of type {}; allowed are 8 and 16 bits, gray or color",
-                            name, cv::typeToString(image.type())));
+    throw Error(
+        fmt::format("{}: images of type {} are not supported, only 8 and 16 bits, gray or color",
+                    name, cv::typeToString(image.type())));
   }
   cv::Mat gray = image;
   if (channels > 1) {

@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMonoTruth = "groundtruthSync.txt";
 
-/// poses/XX.txt, where the sequence is sequences/XX.
+/// Returns poses/XX.txt if the sequence is sequences/XX, otherwise an empty path.
 fs::path KittiTruth(const fs::path& input) {
   if (input.parent_path().filename() != "sequences") return {};
   return input.parent_path().parent_path() / "poses" / (input.filename().string() + ".txt");
 }
 
-/// Without a separator at its end, and with the folder it lies in.
+/// Returns the normalized path without a trailing separator, made absolute if it has no parent.
 fs::path PlainFolder(const fs::path& input) {
   fs::path folder = input.lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
@@ -34,7 +34,7 @@ fs::path PlainFolder(const fs::path& input) {
   return is_bare ? fs::absolute(folder).lexically_normal() : folder;
 }
 
-/// The body's poses, moved to cam0.
+/// Reads poses of the body and transforms them to cam0.
 PoseSequence ReadBodyTruth(const fs::path& file) {
   const SE3 body_from_camera = ReadBodyFromCamera(file);
   PoseSequence poses = ReadEurocPoses(file);
@@ -44,7 +44,7 @@ PoseSequence ReadBodyTruth(const fs::path& file) {
   return poses;
 }
 
-/// In natural order.
+/// Returns the `.pose.txt` files of a folder in natural order.
 std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
   constexpr std::string_view kEnd = ".pose.txt";
   std::vector<fs::path> files;
@@ -60,7 +60,7 @@ std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
   return files;
 }
 
-/// world_from_camera as a 4x4 matrix, a row a line.
+/// Reads world_from_camera, a 4x4 matrix with one row per line.
 SE3 ReadPoseMatrix(const fs::path& file) {
   std::vector<double> numbers;
   for (const TextLine& line : ReadTextLines(file)) {

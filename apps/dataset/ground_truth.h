@@ -9,21 +9,22 @@
 
 namespace corvo {
 
-/// Where a sequence's ground truth lies in its dataset's layout: KITTI `poses/XX.txt` beside
-/// `sequences/XX`; EuRoC `state_groundtruth_estimate0/data.csv` and TUM-VI `mocap0/data.csv` in
-/// `mav0`, TUM-VI `dso/gt_imu.csv`; TUM RGB-D `groundtruth.txt`; TUM-mono `groundtruthSync.txt`;
-/// 7-Scenes the folder itself, with a `.pose.txt` for each frame. Empty if there is none.
+/// Returns the path of a sequence's ground truth in the layout of its dataset, or an empty path if
+/// there is none: KITTI `poses/XX.txt` beside `sequences/XX`; EuRoC
+/// `state_groundtruth_estimate0/data.csv` and TUM-VI `mocap0/data.csv` in `mav0`, TUM-VI
+/// `dso/gt_imu.csv`; TUM RGB-D `groundtruth.txt`; TUM-mono `groundtruthSync.txt`; 7-Scenes the
+/// folder itself, which has a `.pose.txt` for each frame.
 std::filesystem::path FindGroundTruth(const std::filesystem::path& input);
 
-/// The camera's true poses, from a file in TUM, KITTI or EuRoC format, or from the `.pose.txt`
-/// files of a folder in the order of their names, which are numbered as the rows of a KITTI file.
-/// EuRoC's format gives the body's poses: they are moved to cam0 by `T_BS` of `cam0/sensor.yaml`,
-/// or TUM-VI's `T_cam_imu` of `dso/camchain.yaml`, found from the file's place in the dataset.
-/// Throws corvo::Error naming file and line.
+/// Reads the ground truth poses of the camera from a file in TUM, KITTI or EuRoC format, or from
+/// the
+/// `.pose.txt` files of a folder in natural order of their names, which are numbered like the rows
+/// of a KITTI file. EuRoC format has the poses of the body, which are transformed to cam0, see
+/// ReadBodyFromCamera(). Throws corvo::Error with file and line if the file is malformed.
 PoseFile ReadTruthFile(const std::filesystem::path& file);
 
-/// As ReadTruthFile; row i of a KITTI file has the i-th of `frame_times`, which are those of the
-/// whole sequence. Throws corvo::Error naming both counts where they differ.
+/// Like ReadTruthFile(), but row i of a KITTI file gets the i-th of `frame_times`, which are the
+/// timestamps of the whole sequence. Throws corvo::Error if their numbers differ.
 PoseSequence ReadGroundTruth(const std::filesystem::path& file,
                              const std::vector<TimeNs>& frame_times);
 

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the run of digits, without leading zeros, or else the one character `text` starts with.
+/// Removes the leading run of digits from `text`, or else its first character, and returns it
+/// without leading zeros.
 std::string_view TakeToken(std::string_view& text) {
   std::size_t size = 1;
   if (IsDigit(text.front())) {
@@ -29,7 +30,7 @@ std::string_view TakeToken(std::string_view& text) {
   return token;
 }
 
-/// 7-Scenes keeps a depth image beside each color image.
+/// Returns whether the file is a depth image of 7-Scenes, which has one beside each color image.
 bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
 
 void AddTimes(const std::vector<fs::path>& files, double frame_rate_hz, ImageList& list) {
@@ -104,7 +105,7 @@ ImageList ListFolderImages(const fs::path& input, double frame_rate_hz) {
   AddTimes(ImageFilesIn(input), frame_rate_hz, list);
   if (list.images.empty()) {
     throw Error(
-        fmt::format("{}: holds no images (png, jpg, jpeg, bmp, pgm, tif) and is not a "
+        fmt::format("{}: contains no images (png, jpg, jpeg, bmp, pgm, tif) and is not a "
                     "KITTI, EuRoC, TUM or TUM-mono sequence",
                     input.string()));
   }

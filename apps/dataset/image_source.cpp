@@ -26,7 +26,8 @@ ImageList ListByLayout(const fs::path& input, double frame_rate_hz) {
 void CheckFiles(const std::vector<TimedFile>& images) {
   for (const TimedFile& image : images) {
     if (!fs::is_regular_file(image.file)) {
-      throw Error(fmt::format("{}: listed in the sequence but not there", image.file.string()));
+      throw Error(
+          fmt::format("{}: listed in the sequence but does not exist", image.file.string()));
     }
   }
 }
@@ -34,13 +35,13 @@ void CheckFiles(const std::vector<TimedFile>& images) {
 void CheckTimesAscend(const std::vector<TimedFile>& images) {
   for (std::size_t i = 1; i < images.size(); ++i) {
     if (images[i].time_ns > images[i - 1].time_ns) continue;
-    throw Error(fmt::format("{}: its time, {} ns, does not lie after {} ns, the time of {}",
+    throw Error(fmt::format("{}: its timestamp {} ns is not later than {} ns, that of {}",
                             images[i].file.string(), images[i].time_ns, images[i - 1].time_ns,
                             images[i - 1].file.filename().string()));
   }
 }
 
-/// The number in "7" or "camera:7".
+/// Returns the number in "7" or "camera:7", or std::nullopt for any other text.
 std::optional<int> ParseDevice(std::string_view input) {
   constexpr std::string_view kPrefix = "camera:";
   if (input.substr(0, kPrefix.size()) == kPrefix) input.remove_prefix(kPrefix.size());
@@ -60,7 +61,7 @@ void CheckSize(const TimedImage& image, const cv::Size& size) {
                           image.image.cols, image.image.rows, size.width, size.height));
 }
 
-/// An image shrunk by averaging, or enlarged by linear interpolation.
+/// Shrinks an image by averaging, or enlarges it by linear interpolation.
 cv::Mat Resize(const cv::Mat& image, const cv::Size& size) {
   if (image.size() == size) return image;
   const bool shrinks = size.width <= image.cols && size.height <= image.rows;
@@ -87,7 +88,7 @@ ImageList ListImages(const fs::path& input, double frame_rate_hz) {
   }
   ImageList list =
       exists ? ListByLayout(input, frame_rate_hz) : ListMatchingImages(input, frame_rate_hz);
-  if (list.images.empty()) throw Error(fmt::format("{}: holds no images", input.string()));
+  if (list.images.empty()) throw Error(fmt::format("{}: contains no images", input.string()));
   CheckFiles(list.images);
   CheckTimesAscend(list.images);
   return list;
@@ -102,7 +103,7 @@ ImageSource::ImageSource(ImageList list, std::unique_ptr<ImageReader> reader,
 
 const TimedImage& ImageSource::First() {
   if (!first_) first_ = ReadNext();
-  if (!first_) throw Error("no image is left: the sequence ends before --start");
+  if (!first_) throw Error("there are no images: the sequence ends before --start");
   return *first_;
 }
 
@@ -155,7 +156,7 @@ ImageSource OpenImages(const std::string& input, std::optional<double> frame_rat
                        double default_frame_rate_hz, const Selection& selection) {
   if (fs::is_regular_file(input)) {
     if (HasImageExtension(input)) {
-      throw Error(fmt::format("{}: one image; give its folder, or a quoted pattern", input));
+      throw Error(fmt::format("{}: is a single image; give its folder or a quoted pattern", input));
     }
     return {ImageList{"video", {}, {}}, OpenVideo(input, frame_rate_hz), selection};
   }

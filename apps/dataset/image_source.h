@@ -16,79 +16,81 @@
 
 namespace corvo {
 
-/// The images of a sequence, in the order they were taken, and what its dataset says of them.
+/// The images of a sequence, in the order in which they were taken, and their calibration.
 struct ImageList {
   std::string
       layout;  ///< "folder", "glob", "kitti", "euroc", "tum", "tum-mono", "video", "camera".
-  std::vector<TimedFile> images;           ///< Times ascend; every file exists. None of a video.
-  std::optional<CameraParameters> camera;  ///< Valid; where the dataset ships a calibration.
+  std::vector<TimedFile>
+      images;  ///< In ascending time; every file exists. Empty for a video or camera.
+  std::optional<CameraParameters> camera;  ///< The dataset's calibration, if any; valid.
 };
 
-/// Recognizes the layout of a folder by its files, or takes `input` for a pattern of file names,
-/// and lists the images: at least one. Where there are no times, they are index / frame_rate_hz.
-/// Throws corvo::Error naming file, line and value.
+/// Recognizes the layout of a folder by its files, or interprets `input` as a file name pattern,
+/// and lists the images. Images without timestamps get index / frame_rate_hz. Throws corvo::Error
+/// with file, line and value if something is missing or malformed, or if there are no images.
 ImageList ListImages(const std::filesystem::path& input, double frame_rate_hz);
 
-/// Which images of a sequence are used.
+/// A selection of the images of a sequence.
 struct Selection {
-  int start = 0;             ///< Index of the first.
-  int every = 1;             ///< Of so many images one is used.
-  std::optional<int> count;  ///< At most so many are used.
+  int start = 0;             ///< Index of the first image.
+  int every = 1;             ///< Stride: every n-th image is used.
+  std::optional<int> count;  ///< Maximum number of images.
 };
 
-/// What is done with every image.
+/// The preparation of every image.
 struct Preparation {
-  cv::Size size;       ///< That it must have.
-  cv::Size resize_to;  ///< Pixels are averaged where that is smaller.
+  cv::Size size;       ///< The required size of the images.
+  cv::Size resize_to;  ///< The size after resizing; pixels are averaged if it is smaller.
   MaskSource mask_source;
 };
 
-/// Hands out the images of a sequence one at a time, each decoded when it is asked for.
+/// Returns the images of a sequence one at a time. Each image is decoded on request.
 class ImageSource {
  public:
   explicit ImageSource(ImageList list, const Selection& selection = {});
   ImageSource(ImageList list, std::unique_ptr<ImageReader> reader, const Selection& selection);
 
-  /// The first image as it is read, which Next() hands out too. Throws corvo::Error if there is
+  /// Returns the first image as it is read, without consuming it. Throws corvo::Error if there is
   /// none.
   const TimedImage& First();
 
-  /// From now on images are handed out prepared. Throws corvo::Error where the first has another
-  /// size than it must have, naming both.
+  /// Sets the preparation of all images that Next() returns. Throws corvo::Error with both sizes if
+  /// the first image does not have the required size.
   void Prepare(Preparation preparation);
 
-  /// The next image; none after the last. Throws corvo::Error where it cannot be read, or is not
-  /// of the size that Prepare() was told.
+  /// Returns the next image, or std::nullopt after the last. Throws corvo::Error if it cannot be
+  /// read or does not have the size required by Prepare().
   std::optional<TimedImage> Next();
 
-  /// Leaves out the next image, undecoded; false after the last.
+  /// Skips the next image without decoding it. Returns false after the last.
   bool Skip();
 
-  /// How many images there are; none where only their end will tell.
+  /// Returns the number of selected images (an upper bound for a video or camera), or std::nullopt
+  /// if it is unknown.
   std::optional<int> size() const;
-  /// A connected camera: its sequence has no end but the user's.
+  /// Returns whether this is a connected camera, whose sequence ends only when the user stops it.
   bool is_live() const { return list_.layout == "camera"; }
   const ImageList& list() const { return list_; }
 
  private:
   std::optional<TimedImage> ReadNext();
-  /// To the next selected image; false where there is none.
+  /// Advances to the next selected image. Returns false if there is none.
   bool Advance();
 
   ImageList list_;
   std::unique_ptr<ImageReader> reader_;
   Selection selection_;
   std::optional<Preparation> preparation_;
-  std::optional<TimedImage> first_;  ///< Read, but not handed out yet.
+  std::optional<TimedImage> first_;  ///< Read by First(), but not yet returned by Next().
   int num_read_ = 0;
 };
 
-/// Whether that is a connected camera: "0" or "camera:0".
+/// Returns whether the input is a connected camera: "0" or "camera:0".
 bool IsLiveInput(const std::string& input);
 
-/// Opens what the user named: a folder or pattern of images, a video, or a camera.
-/// `frame_rate_hz`, if given, makes the times of images that have none and of videos; else
-/// images come at `default_frame_rate_hz`.
+/// Opens a folder or pattern of images, a video, or a camera. `frame_rate_hz`, if given, determines
+/// the timestamps of images without timestamps and of videos; otherwise images without timestamps
+/// get `default_frame_rate_hz`.
 ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
                        double default_frame_rate_hz, const Selection& selection);
 

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 constexpr const char* kTimes = "times.txt";
 constexpr const char* kCalibration = "calib.txt";
 
-/// A camera of the rig: its folder of images and its row in calib.txt.
+/// A camera of the rig: its image folder and its row in calib.txt.
 struct RigCamera {
   const char* folder;
   const char* row;
 };
 
-/// Left gray first, then left color.
+/// The cameras in order of preference: left gray, left color.
 constexpr std::array<RigCamera, 2> kCameras = {{{"image_0", "P0:"}, {"image_2", "P2:"}}};
 
 const RigCamera* FindCamera(const fs::path& input) {
@@ -41,7 +41,7 @@ std::vector<TimeNs> ReadTimes(const fs::path& file) {
   return times;
 }
 
-/// The 3x4 projection matrix of a row, row-major: [fx 0 cx . ; 0 fy cy . ; 0 0 1 .].
+/// Parses the 3x4 projection matrix of a row, row-major: [fx 0 cx . ; 0 fy cy . ; 0 0 1 .].
 CameraParameters ParseProjection(const std::vector<std::string>& fields, const std::string& where) {
   if (fields.size() != 13) {
     throw Error(fmt::format("{}{} values after {}; a projection matrix has 12", where,
@@ -63,7 +63,8 @@ void ValidateCamera(const CameraParameters& camera, const std::string& where) {
   }
 }
 
-/// The file does not say the images' size: it is that of `first_image`.
+/// Reads the camera in `row`. The file does not contain the image size, which is taken from
+/// `first_image`.
 CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::path& first_image) {
   for (const TextLine& line : ReadTextLines(file)) {
     const std::vector<std::string> fields = SplitFields(line.text, ' ');
@@ -89,9 +90,9 @@ ImageList ListKittiImages(const fs::path& input) {
   const fs::path folder = input / rig_camera.folder;
   const std::vector<fs::path> files = ImageFilesIn(folder);
   const std::vector<TimeNs> times = ReadTimes(input / kTimes);
-  if (files.empty()) throw Error(fmt::format("{}: holds no images", folder.string()));
+  if (files.empty()) throw Error(fmt::format("{}: contains no images", folder.string()));
   if (files.size() != times.size()) {
-    throw Error(fmt::format("{}: {} times for the {} images in {}", (input / kTimes).string(),
+    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", (input / kTimes).string(),
                             times.size(), files.size(), folder.string()));
   }
   ImageList list{"kitti", {}, {}};

@@ -27,7 +27,7 @@ MaskSource::MaskSource(const fs::path& path, const TimedImage& first) : path_(pa
     return;
   }
   files_ = ImageFilesIn(path);
-  if (files_.empty()) throw Error(fmt::format("{}: holds no masks", path.string()));
+  if (files_.empty()) throw Error(fmt::format("{}: contains no masks", path.string()));
   by_name_ = FindNamed(files_, first) != files_.end();
 }
 
@@ -47,7 +47,7 @@ const fs::path& MaskSource::FileOf(const TimedImage& image) const {
   } else if (image.index < static_cast<int>(files_.size())) {
     return files_[image.index];
   }
-  throw Error(fmt::format("{}: holds no mask for {}", path_.string(), image.name));
+  throw Error(fmt::format("{}: contains no mask for {}", path_.string(), image.name));
 }
 
 }  // namespace corvo

@@ -8,27 +8,27 @@
 
 namespace corvo {
 
-/// Masks of images: 0 where no features are wanted.
+/// The masks of images, which are 0 where no features are detected.
 class MaskSource {
  public:
-  /// No masks.
+  /// Creates a source without masks.
   MaskSource() = default;
 
-  /// An image for all frames, or a folder with one for each: by name (the image's, the extension
-  /// apart), or in their order where no name fits the first image's. Throws corvo::Error where
-  /// there is none.
+  /// `path` is one mask for all images, or a folder with one mask per image. The masks of a folder
+  /// are assigned by name, ignoring the extension, or by index if none is named like the first
+  /// image. Throws corvo::Error if there is no mask.
   MaskSource(const std::filesystem::path& path, const TimedImage& first);
 
-  /// Empty if there are no masks. Throws corvo::Error where the image has none, or one of another
-  /// size.
+  /// Returns the mask of an image, or an empty matrix for a source without masks. Throws
+  /// corvo::Error if the image has no mask or one of another size.
   cv::Mat MaskOf(const TimedImage& image) const;
 
  private:
   const std::filesystem::path& FileOf(const TimedImage& image) const;
 
   std::filesystem::path path_;
-  std::vector<std::filesystem::path> files_;  ///< Of a folder.
-  cv::Mat only_;                              ///< The one for all frames.
+  std::vector<std::filesystem::path> files_;  ///< The masks in the folder, if `path_` is one.
+  cv::Mat only_;                              ///< The mask for all images, if there is only one.
   bool by_name_ = false;
 };
 

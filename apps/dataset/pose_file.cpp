@@ -16,7 +16,7 @@ constexpr std::size_t kKittiColumns = 12;
 
 TextLine FirstLine(const std::filesystem::path& file) {
   const std::vector<TextLine> lines = ReadTextLines(file);
-  if (lines.empty()) throw Error(fmt::format("{}: holds no poses", file.string()));
+  if (lines.empty()) throw Error(fmt::format("{}: contains no poses", file.string()));
   return lines.front();
 }
 
@@ -33,7 +33,7 @@ PoseFile::PoseFile(const std::vector<SE3>& numbered) {
 PoseSequence PoseFile::WithTimes(const std::vector<TimeNs>& times) const {
   if (has_times_) return poses_;
   if (poses_.size() != times.size()) {
-    throw Error(fmt::format("{} poses, but {} times", poses_.size(), times.size()));
+    throw Error(fmt::format("{} poses, but {} timestamps", poses_.size(), times.size()));
   }
   PoseSequence poses = poses_;
   for (std::size_t i = 0; i < poses.size(); ++i) poses[i].time_ns = times[i];

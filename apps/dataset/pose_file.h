@@ -10,7 +10,7 @@
 
 namespace corvo {
 
-/// Poses as a file has them: with times, or numbered by row.
+/// The poses of a file, with timestamps or numbered by row.
 class PoseFile {
  public:
   explicit PoseFile(PoseSequence timed) : poses_(std::move(timed)), has_times_(true) {}
@@ -19,11 +19,11 @@ class PoseFile {
   bool has_times() const { return has_times_; }
   std::size_t size() const { return poses_.size(); }
 
-  /// The poses with their own times, or else row i with the i-th of `times`. Throws corvo::Error
-  /// naming both counts where there are not as many times as rows.
+  /// Returns the poses with their own timestamps, or else with the i-th of `times` for row i.
+  /// Throws corvo::Error with both counts if the number of times differs from the number of rows.
   PoseSequence WithTimes(const std::vector<TimeNs>& times) const;
 
-  /// The poses with their own times, or else row i at i seconds.
+  /// Returns the poses with their own timestamps, or else with i seconds for row i.
   const PoseSequence& poses() const { return poses_; }
 
  private:
@@ -31,11 +31,12 @@ class PoseFile {
   bool has_times_ = false;
 };
 
-/// Recognizes the format: commas (EuRoC, time in ns), 8 columns (TUM, time in s) or 12 columns
-/// (KITTI, no times). Throws corvo::Error naming file and line.
+/// Reads a file whose format is recognized by commas (EuRoC, timestamps in ns), 8 columns (TUM,
+/// timestamps in s) or 12 columns (KITTI, no timestamps). Throws corvo::Error with file and line if
+/// it is malformed.
 PoseFile ReadPoseFile(const std::filesystem::path& file);
 
-/// Whether the file's first line of poses is separated by commas, as EuRoC's and TUM-VI's are.
+/// Returns whether the first pose in the file is separated by commas, as in EuRoC and TUM-VI.
 bool IsEurocPoseFile(const std::filesystem::path& file);
 
 }  // namespace corvo

@@ -7,9 +7,9 @@
 
 namespace corvo {
 
-/// A dataset's YAML file, which as OpenCV writes it may start with "%YAML:1.0", which YAML itself
-/// does not allow. Throws corvo::Error where it cannot be read, YAML::Exception where it is no
-/// YAML.
+/// Loads the YAML file of a dataset, which may start with "%YAML:1.0" as written by OpenCV,
+/// although this is not valid YAML. Throws corvo::Error if the file cannot be read, and
+/// YAML::Exception if it is malformed.
 YAML::Node LoadSensorYaml(const std::filesystem::path& file);
 
 }  // namespace corvo

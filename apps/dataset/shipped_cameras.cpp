@@ -16,11 +16,12 @@ bool FitsSize(const fs::path& file, int width, int height) {
     const Camera camera = ReadCameraFile(file).camera;
     return camera.width() == width && camera.height() == height;
   } catch (const Error&) {
-    return false;  // A file of options, not of a camera.
+    return false;  // An options file, not a camera file.
   }
 }
 
-/// Installed or not, it lies at one place relative to the command.
+/// Returns the folder of configurations, whose path relative to the executable is the same in the
+/// build tree and when installed.
 fs::path ConfigFolder() {
   std::error_code none;
   const fs::path command = fs::read_symlink("/proc/self/exe", none);

@@ -6,8 +6,8 @@
 
 namespace corvo {
 
-/// The camera files that come with corvo for images of this size, in order of name. Empty where
-/// the folder of configurations is not found.
+/// Returns the camera files that are shipped with corvo for images of this size, sorted by path.
+/// Empty if the folder of configurations is not found.
 std::vector<std::filesystem::path> FindShippedCameras(int width, int height);
 
 }  // namespace corvo

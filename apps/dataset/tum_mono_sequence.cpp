@@ -17,7 +17,7 @@ constexpr const char* kTimes = "times.txt";
 constexpr const char* kFolder = "images";
 constexpr const char* kCamera = "camera.txt";
 
-/// Exactly `count` numbers.
+/// Parses a line of exactly `count` numbers. `meaning` describes them in the error message.
 std::vector<double> ParseNumbers(const TextLine& line, std::size_t count, const char* meaning,
                                  const fs::path& file) {
   const std::string where = LinePrefix(file, line);
@@ -30,7 +30,8 @@ std::vector<double> ParseNumbers(const TextLine& line, std::size_t count, const 
   return numbers;
 }
 
-/// The time is the second column; the first is the image's name, a third the exposure.
+/// Parses the timestamp of an image, which is the second column. The first column is the image's
+/// name, the third, optional one its exposure.
 TimeNs ParseTime(const TextLine& line, const fs::path& image, const fs::path& file) {
   const std::string where = LinePrefix(file, line);
   const std::vector<std::string> fields = SplitFields(line.text, ' ');
@@ -52,7 +53,7 @@ CameraParameters ReadTumMonoCamera(const fs::path& file) {
   const auto shape = ParseNumbers(lines[0], 5, "fx fy cx cy omega", file);
   const auto size = ParseNumbers(lines[1], 2, "width height", file);
   if (shape[2] > 1 || shape[3] > 1) {
-    throw Error(fmt::format("{}'{}': cx and cy must be shares of the image's width and height",
+    throw Error(fmt::format("{}'{}': cx and cy must be fractions of the image's width and height",
                             LinePrefix(file, lines[0]), lines[0].text));
   }
   CameraParameters camera;
@@ -86,8 +87,8 @@ ImageList ListTumMonoImages(const fs::path& input) {
   const fs::path times = input / kTimes;
   const std::vector<TextLine> lines = ReadTextLines(times);
   if (files.size() != lines.size()) {
-    throw Error(fmt::format("{}: {} times for the {} images in {}", times.string(), lines.size(),
-                            files.size(), folder.string()));
+    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times.string(),
+                            lines.size(), files.size(), folder.string()));
   }
   ImageList list{"tum-mono", {}, {}};
   for (std::size_t i = 0; i < files.size(); ++i) {

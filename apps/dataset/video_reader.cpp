@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDefaultFrameRateHz = 30.0;  // Where a video does not say.
+constexpr double kDefaultFrameRateHz = 30.0;  // For videos without a frame rate.
 
-/// What a video and a camera share: frames are grabbed in order, and decoded if they are wanted.
+/// The base of video and camera readers. Frames are grabbed in order, and decoded only by Read().
 class CaptureReader : public ImageReader {
  public:
   CaptureReader(const cv::VideoCapture& capture, std::string name)
@@ -38,7 +38,8 @@ class CaptureReader : public ImageReader {
   }
 
  private:
-  /// `before` is the time of the frame before; any for the first.
+  /// Returns the timestamp of the grabbed frame. `before` is the timestamp of the previous frame;
+  /// it is ignored for the first.
   virtual TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) = 0;
 
   cv::VideoCapture capture_;
@@ -83,8 +84,8 @@ class CameraReader : public CaptureReader {
   Clock::time_point opened_ = Clock::now();
 };
 
-/// By one backend, so that times and colors do not depend on which others are installed. Its
-/// errors are an unopened capture.
+/// Opens a capture with a fixed backend, so that timestamps and colors do not depend on the
+/// installed backends. Returns an unopened capture on errors.
 template <typename Source>
 cv::VideoCapture OpenCapture(const Source& source, int backend) {
   try {
@@ -99,8 +100,8 @@ cv::VideoCapture OpenCapture(const Source& source, int backend) {
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
   if (!capture.isOpened()) {
-    throw Error(
-        fmt::format("{}: not a folder of images, nor a video that can be decoded", file.string()));
+    throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded",
+                            file.string()));
   }
   return std::make_unique<VideoReader>(capture, file.string(), frame_rate_hz);
 }

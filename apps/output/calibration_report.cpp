@@ -14,7 +14,7 @@ CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
   CalibrationReport::Estimate estimate{parameter.name, ValueOf(given, parameter.name),
                                        ValueOf(camera, parameter.name), sigma,
                                        InformationGain(parameter, sigma)};
-  if (parameter.name == "focal") {  // Shown by fx, in its unit.
+  if (parameter.name == "focal") {  // Reported as fx, in px.
     estimate.name = "fx";
     estimate.sigma *= camera.fx;
   }
@@ -65,7 +65,7 @@ void WarnOfContradiction(const CalibrationReport& report) {
   if (!report.prior_rejected) return;
   spdlog::warn(
       "the images contradict the given camera by more than its standard deviations allow; it was "
-      "used as given: check its focal length and distortion, or say how uncertain they are "
+      "used as given: check its focal length and distortion, or increase their standard deviations "
       "(calibration.focal_sigma, k1_sigma, k2_sigma)");
 }
 

@@ -12,34 +12,35 @@
 
 namespace corvo {
 
-/// What became known of the camera.
+/// The estimate of the camera.
 struct CalibrationReport {
-  /// One number of a camera.
+  /// The estimate of one camera parameter.
   struct Estimate {
     std::string name;
     double given;
     double value;
     double sigma;
-    double share_from_data;  ///< Of the information about it; the rest was known before.
+    double share_from_data;  ///< Fraction of its information from the images, not the prior.
   };
 
-  std::vector<Estimate> estimates;  ///< Empty where the camera is not estimated.
-  bool prior_rejected = false;      ///< As Odometry::prior_rejected().
+  std::vector<Estimate> estimates;  ///< Empty if the camera is not estimated.
+  bool prior_rejected = false;      ///< See Odometry::prior_rejected().
   CameraParameters camera;
-  std::vector<FreeParameter> sigma;  ///< As camera files have it.
+  std::vector<FreeParameter> sigma;  ///< Standard deviations as written to camera files.
 };
 
-/// By the refinement, where there is one that lowered the cost.
+/// Returns the camera's estimate by the refinement if it has a covariance, otherwise by the
+/// odometry.
 CalibrationReport ReportCalibration(const Odometry& odometry,
                                     const std::optional<Refinement>& refinement);
 
-/// null where the camera is not estimated.
+/// Returns null if the camera is not estimated.
 nlohmann::ordered_json ToJson(const CalibrationReport& report);
 
-/// A line; empty where the camera is not estimated.
+/// Returns one line, or an empty string if the camera is not estimated.
 std::string ToText(const CalibrationReport& report);
 
-/// Warns where the images contradict the camera that was given.
+/// Logs a warning if the images contradict the given camera.
 void WarnOfContradiction(const CalibrationReport& report);
 
 }  // namespace corvo

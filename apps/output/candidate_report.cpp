@@ -25,7 +25,7 @@ std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int s
       text += fmt::format("{:>8.3f} {:>12.1f} {:>12.1f}\n", candidate.adjustment.inlier_rms_px,
                           candidate.adjustment.final_cost, candidate.information_criterion);
     } else {
-      text += "not found\n";
+      text += "not estimated\n";
     }
   }
   return text;
@@ -60,8 +60,8 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
     const bool is_reported = InformationGain(parameter, sigma[i].sigma) >= kMinShare;
     if (parameter.name == "focal" && !(sigma[i].sigma <= kMaxFocalSigma)) {
       warnings.push_back(fmt::format(
-          "the motion does not determine the focal length (known to {:.1f}%): turn while moving, "
-          "among things near and far, not straight ahead and not before a wall",
+          "the motion does not determine the focal length (standard deviation {:.1f}%): turn while "
+          "moving among near and far objects, not straight ahead and not in front of a wall",
           100 * sigma[i].sigma));
     }
     if (parameter.name == "cx" || parameter.name == "cy") is_center_determined &= is_reported;
@@ -69,13 +69,13 @@ std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate) 
   }
   if (!is_center_determined) {
     warnings.emplace_back(
-        "the motion does not determine the principal point, which stays near the image's center: "
-        "turn up, down and to the sides, and roll the camera about its axis");
+        "the motion does not determine the principal point, which stays near the image center: "
+        "turn up, down and to the sides, and roll the camera about its optical axis");
   }
   if (!is_distortion_determined) {
     warnings.emplace_back(
-        "the motion does not determine all of the distortion: turn while moving, with texture up "
-        "to the image's corners");
+        "the motion does not determine all distortion parameters: turn while moving, with texture "
+        "up to the image corners");
   }
   return warnings;
 }

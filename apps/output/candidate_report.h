@@ -8,15 +8,16 @@
 
 namespace corvo {
 
-/// A line for each candidate, the selected one marked: parameters, root mean square error, robust
-/// cost and information criterion.
+/// Returns a table with one line per candidate: number of free parameters, root mean square error,
+/// robust cost and information criterion. The selected candidate is marked.
 std::string CandidatesText(const std::vector<CameraCandidate>& candidates, int selected);
 
-/// Each free parameter of an adjusted candidate: value, standard deviation, and the correlations
-/// with those before it.
+/// Returns a table with one line per free parameter of an adjusted candidate: value, standard
+/// deviation, and correlations with the preceding parameters.
 std::string EstimateText(const CameraCandidate& candidate);
 
-/// What the motion does not determine, and what to record instead; a sentence each.
+/// Returns one warning for each group of parameters that the motion does not determine, with advice
+/// on what to record.
 std::vector<std::string> UndeterminedWarnings(const CameraCandidate& candidate);
 
 }  // namespace corvo

@@ -31,7 +31,7 @@ std::string Compiler() {
 #endif
 }
 
-/// Linux counts in units of 1024 bytes.
+/// Returns the peak memory in MiB. Linux reports it in units of 1024 bytes.
 double PeakMemoryMb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -5,10 +5,10 @@
 
 namespace corvo {
 
-/// What a result does not depend on but its timings do: versions, compiler, processor.
+/// Returns the library versions, compiler and processor, which affect timings but not results.
 nlohmann::ordered_json DescribeMachine();
 
-/// The same and, of a run, `threads`, peak memory of this process, `elapsed_s`.
+/// Returns DescribeMachine() with `threads`, the peak memory of this process, and `elapsed_s`.
 nlohmann::ordered_json DescribeEnvironment(int threads, double elapsed_s);
 
 }  // namespace corvo

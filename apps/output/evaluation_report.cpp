@@ -14,7 +14,7 @@ Json RelativeJson(const RelativeError& error) {
   return {{"translation", ToJson(error.translation)}, {"rotation_deg", ToJson(error.rotation_deg)}};
 }
 
-/// With what the motions span under the name `key`.
+/// Returns the errors and, under the name `key`, the interval of the relative motions.
 template <typename Span>
 Json RelativeJson(const char* key, Span span, const RelativeError& error) {
   Json json = {{key, span}};
@@ -108,7 +108,7 @@ std::string ToText(const std::string& name, const ErrorStatistics& errors,
 std::string ToText(const Evaluation& evaluation) {
   const EvaluationOptions& options = evaluation.options;
   std::string text =
-      fmt::format("{:<22} {} pairs, {:.1f}% of the truth's poses, path {:.6g}\n", "compared",
+      fmt::format("{:<22} {} pairs, {:.1f}% of the ground truth, path {:.6g}\n", "compared",
                   evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
   text += ToText("ATE", evaluation.absolute,
                  fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));

@@ -12,10 +12,10 @@ namespace corvo {
 nlohmann::ordered_json ToJson(const Evaluation& evaluation);
 nlohmann::ordered_json ToJson(const ErrorStatistics& errors);
 
-/// One line a measure, for people.
+/// Returns a table for display with one line per measure.
 std::string ToText(const Evaluation& evaluation);
 
-/// One line of it.
+/// Returns one line of this table.
 std::string ToText(const std::string& name, const ErrorStatistics& errors, const std::string& unit);
 
 }  // namespace corvo

@@ -14,10 +14,10 @@
 namespace corvo {
 namespace {
 
-/// Of circles, relative to the patches, which would hide the image.
+/// The size of the circles relative to the patches. Full-size circles would hide the image.
 constexpr float kDrawnSize = 0.3F;
 
-/// Colors that stay apart, blue first (B, G, R).
+/// Returns one of eight distinct colors (B, G, R), starting with blue.
 const cv::Scalar& ColorOf(int octave) {
   static const std::array<cv::Scalar, 8> kColors = {
       cv::Scalar(255, 160, 0), cv::Scalar(255, 255, 0),  cv::Scalar(0, 255, 0),
@@ -38,7 +38,7 @@ std::vector<cv::KeyPoint> PointsOf(const orb::Features& features) {
   return points;
 }
 
-/// Draws over `image` the matches that are inliers, or those that are not.
+/// Draws either the inliers or the outliers of the matches over `image`.
 void DrawLines(const cv::Mat& first, const cv::Mat& second, const ImageMatches& pair, bool inliers,
                cv::Mat& image) {
   const cv::Scalar color = inliers ? cv::Scalar(0, 220, 0) : cv::Scalar(0, 0, 255);

@@ -11,24 +11,24 @@
 
 namespace corvo {
 
-/// CSV, a line a feature: x, y, octave, angle (degrees), response, and the descriptor's 32 bytes in
-/// hexadecimal, the first byte first.
+/// Returns CSV with one line per feature: x, y, octave, angle (degrees), response, and the 32 bytes
+/// of the descriptor in hexadecimal, first byte first.
 std::string FeatureTable(const orb::Features& features);
 
-/// CSV, a line a match: its features' lines in their tables (from 0), their pixels, the distance
-/// (bits), and 1 where it agrees with the homography.
+/// Returns CSV with one line per match: the indices of its features, their pixels, the descriptor
+/// distance in bits, and 1 for an inlier of the homography, else 0.
 std::string MatchTable(const ImageMatches& matches);
 
-/// The gray image in color with every keypoint: a circle in proportion to the patch it is
-/// described from, its direction, and a color for each octave.
+/// Returns the gray image in color with all keypoints: a circle proportional to the size of the
+/// descriptor's patch, the keypoint's direction, and one color per octave.
 cv::Mat DrawFeatures(const cv::Mat& image, const orb::Features& features,
                      const orb::Extractor& extractor);
 
-/// The gray images side by side with the matches: green where they agree with the homography,
-/// else red.
+/// Returns the gray images side by side with the matches: inliers of the homography green, outliers
+/// red.
 cv::Mat DrawMatches(const cv::Mat& first, const cv::Mat& second, const ImageMatches& matches);
 
-/// Stages an image of that name. Throws corvo::Error where it cannot be written.
+/// Stages an image file of that name. Throws corvo::Error if it cannot be written.
 void WriteImage(const cv::Mat& image, const std::string& name, const OutputFolder& output);
 
 }  // namespace corvo

@@ -18,7 +18,8 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// A nameless file that holds `text`, at its start; null where there is no room for one.
+/// Returns an unnamed temporary file with the content `text`, positioned at its start, or null if
+/// it cannot be created.
 File HoldText(const std::string& text) {
   File file(std::tmpfile());
   if (!file) return nullptr;
@@ -28,7 +29,7 @@ File HoldText(const std::string& text) {
   return file;
 }
 
-/// Runs gnuplot with these files as standard input and output; true where it succeeds.
+/// Runs gnuplot with these files as standard input and output. Returns whether it succeeded.
 bool Spawn(int input, const std::filesystem::path& output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -36,7 +37,7 @@ bool Spawn(int input, const std::filesystem::path& output) {
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;  // It can be ended even while this process holds signals back.
+  posix_spawnattr_t attributes;  // Signals end gnuplot even while this process blocks them.
   posix_spawnattr_init(&attributes);
   sigset_t no_signals;
   sigemptyset(&no_signals);

@@ -6,8 +6,8 @@
 
 namespace corvo {
 
-/// Feeds a script to gnuplot and keeps what it prints as `output`. No shell and no path takes part
-/// in the script. False, with no file left, where gnuplot is missing or fails.
+/// Runs gnuplot, without a shell, with the script as standard input and writes its standard output
+/// to the file `output`. Returns false and removes the file if gnuplot is missing or fails.
 bool RunGnuplot(const std::string& script, const std::filesystem::path& output);
 
 }  // namespace corvo

@@ -10,18 +10,18 @@
 
 namespace corvo {
 
-/// Landmarks that have left a map, in a temporary file that goes with the object. There is no file
-/// before the first.
+/// Stores landmarks that were removed from a map in a temporary file, which is created with the
+/// first landmark and deleted with the object.
 class LandmarkSpool {
  public:
-  /// Throws corvo::Error where nothing can be written.
+  /// Appends a landmark. Throws corvo::Error if the file cannot be written.
   void Add(const MarginalizedLandmark& landmark);
 
   int size() const { return size_; }
-  std::size_t num_bytes() const;  ///< Of the file.
+  std::size_t num_bytes() const;  ///< Size of the file.
 
-  /// Calls `visit` with every landmark, in the order in which they came. Throws corvo::Error where
-  /// the file cannot be read.
+  /// Calls `visit` for every landmark, in the order of their addition. Throws corvo::Error if the
+  /// file cannot be read.
   void ForEach(const std::function<void(const MarginalizedLandmark&)>& visit) const;
 
  private:

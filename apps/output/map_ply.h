@@ -9,12 +9,14 @@
 
 namespace corvo {
 
-/// A map as an ASCII PLY point cloud, in world coordinates: landmarks, gray, those that have left
-/// it first, then the others in id order; then the centers of the keyframes' cameras, red. Each
-/// point carries its segment. A unit of the map is `meters_per_unit` in the file.
+/// Returns a map as an ASCII PLY point cloud in world coordinates: the removed landmarks and then
+/// the landmarks of the map in order of their ids, gray, followed by the camera centers of the
+/// keyframes, red. Each point has the index of its segment. Coordinates are multiplied by
+/// `meters_per_unit`.
 std::string MapPly(const LandmarkSpool& finished, const Map& map, double meters_per_unit = 1);
 
-/// The same of a refined sequence: its landmarks in id order, its keyframes in the order of frames.
+/// Returns the point cloud of a refined sequence in the same format: its landmarks, then its
+/// keyframes in the order of frames.
 std::string MapPly(const Refinement& refinement, double meters_per_unit = 1);
 
 }  // namespace corvo

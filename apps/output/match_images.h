@@ -11,22 +11,22 @@
 
 namespace corvo {
 
-/// A match agrees with the homography when it lies this near, px.
+/// Maximum reprojection error of inliers of the homography, px.
 inline constexpr double kHomographyErrorPx = 3.0;
 
-/// What two images have in common.
+/// The features and matches of two images.
 struct ImageMatches {
   orb::Features first;
   orb::Features second;
-  std::vector<orb::Match> matches;  ///< Mutual nearest neighbors, by feature of the first.
-  std::optional<cv::Matx33d> second_from_first;  ///< Homography that most matches agree with.
-  std::vector<char> is_inlier;                   ///< Of each match: agrees with it.
+  std::vector<orb::Match> matches;  ///< Mutual nearest neighbors, ordered by feature of `first`.
+  std::optional<cv::Matx33d> second_from_first;  ///< Homography, if one was found.
+  std::vector<char> is_inlier;                   ///< 1 for inliers of the homography, per match.
   int num_inliers = 0;
 };
 
-/// Matches that are mutual, at most `max_distance` bits apart, and below `max_ratio` times the
-/// distance of the second nearest; and the homography between them (RANSAC, fixed seed), if there
-/// is one.
+/// Matches two images by mutual nearest neighbors with a distance of at most `max_distance` bits
+/// and a ratio test with `max_ratio`, and estimates a homography from the matches (RANSAC, fixed
+/// seed).
 ImageMatches MatchImages(orb::Features first, orb::Features second, int max_distance,
                          double max_ratio);
 

@@ -33,7 +33,7 @@ OutputFolder::OutputFolder(const fs::path& folder)
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
-  if (made_folder_) fs::remove(folder_, ignored);  // Only where it is still empty.
+  if (made_folder_) fs::remove(folder_, ignored);  // Fails unless the folder is empty.
 }
 
 void OutputFolder::Write(std::string_view name, std::string_view text) const {

@@ -8,24 +8,25 @@
 
 namespace corvo {
 
-/// Writes a set of result files all at once or not at all: files are written beside the results of
-/// an earlier run and take their place only in Commit. Without Commit nothing is left behind.
+/// Writes a set of result files all at once or not at all. Files are staged in a subfolder and
+/// replace the results of an earlier run only in Commit(). Without Commit() nothing is left behind.
 class OutputFolder {
  public:
-  /// Makes the folder if it is not there. Throws corvo::Error where it cannot be written.
+  /// Creates the folder if it does not exist. Throws corvo::Error if it cannot be written.
   explicit OutputFolder(const std::filesystem::path& folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where a file that something else writes is to be put until Commit.
+  /// Returns the path to which a file of that name must be written before Commit().
   std::filesystem::path Stage(std::string_view name) const { return staging_ / name; }
 
-  /// Throws corvo::Error where the file cannot be written.
+  /// Stages a file with the content `text`. Throws corvo::Error if it cannot be written.
   void Write(std::string_view name, std::string_view text) const;
 
-  /// Moves every file into place. Of `names`, those that were not written are removed: they would
-  /// be another run's. The last one goes first and comes last: where it is, the set is whole.
+  /// Moves the files in `names` into place. Files of these names that were not staged are removed,
+  /// since they belong to an earlier run. The last file is removed first and moved last, so that
+  /// its presence shows that the set is complete.
   void Commit(const std::vector<std::string>& names);
 
  private:
@@ -34,7 +35,8 @@ class OutputFolder {
   bool made_folder_ = false;
 };
 
-/// Throws corvo::Error where `what` ("the camera") could not be written to a file of that name.
+/// Throws corvo::Error if `file` is a folder or its folder cannot be written. `what` ("the camera")
+/// names its content in the message.
 void CheckOutputFile(const std::filesystem::path& file, std::string_view what);
 
 }  // namespace corvo

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<char, 3> kAxisNames = {'x', 'y', 'z'};
 
-/// Which world axis goes where.
+/// The world axes of the plot: horizontal, vertical, and the axis perpendicular to both.
 struct Axes {
   int across = 0;
   int up = 2;
@@ -27,21 +27,22 @@ Eigen::AlignedBox3d BoundingBox(const PoseSequence& poses) {
   return box;
 }
 
-/// Everything the image shows.
+/// Returns the bounding box of all poses in the plot.
 Eigen::AlignedBox3d BoundingBox(const TrajectoryPlot& plot) {
   Eigen::AlignedBox3d box = BoundingBox(plot.truth);
   for (const PoseSequence& segment : plot.segments) box.extend(BoundingBox(segment));
   return box.isEmpty() ? Eigen::AlignedBox3d(Eigen::Vector3d::Zero()) : box;
 }
 
-/// The view from above in the camera's axes (x across, z up), unless the path extends clearly
-/// further along y than along x or z, as it does in worlds whose z axis points up.
+/// Returns the axes of a view from above. They are those of a camera (x across, z up) unless the
+/// path extends clearly further along y than along x or z, as in worlds whose z axis points up.
 Axes ChooseAxes(const Eigen::Vector3d& extent) {
   if (extent.y() <= 2 * std::min(extent.x(), extent.z())) return {0, 2, 1};
   return extent.z() <= extent.x() ? Axes{0, 1, 2} : Axes{1, 2, 0};
 }
 
-/// Ranges of the same length for both axes, so that straight paths do not squeeze the image.
+/// Returns ranges of the same length for both axes, so that a straight path does not squeeze the
+/// plot.
 std::string EqualRanges(const Eigen::AlignedBox3d& box, const Axes& axes) {
   const Eigen::Vector3d middle = box.center();
   const Eigen::Vector3d extent = box.sizes();
@@ -58,7 +59,8 @@ TimeNs StartTime(const TrajectoryPlot& plot) {
   return plot.truth.empty() ? 0 : plot.truth.front().time_ns;
 }
 
-/// A named gnuplot data block with the columns across, up, other, time since `start_ns` in s.
+/// Returns a named gnuplot data block with the columns across, up, other, time since `start_ns` in
+/// s.
 std::string DataBlock(const std::string& name, const PoseSequence& poses, const Axes& axes,
                       TimeNs start_ns) {
   std::string block = fmt::format("${} << EOD\n", name);
@@ -70,7 +72,7 @@ std::string DataBlock(const std::string& name, const PoseSequence& poses, const 
   return block + "EOD\n";
 }
 
-/// A curve of the image: its data block, legend and gnuplot style.
+/// A curve of the plot: its data block, legend and gnuplot style.
 struct Curve {
   std::string block;
   std::string title;
@@ -89,7 +91,7 @@ std::vector<Curve> Curves(const TrajectoryPlot& plot) {
   return curves;
 }
 
-/// "plot ..." of two columns of every curve.
+/// Returns the gnuplot command that plots two columns of every curve.
 std::string PlotCommand(const std::vector<Curve>& curves, const char* columns) {
   std::string command = "plot ";
   for (const Curve& curve : curves) {

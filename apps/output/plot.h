@@ -10,20 +10,20 @@
 
 namespace corvo {
 
-/// What an image of a trajectory shows, all in one world frame.
+/// The content of a trajectory plot, all in one world frame.
 struct TrajectoryPlot {
-  std::vector<PoseSequence> segments;  ///< The estimate; each in a color of its own.
+  std::vector<PoseSequence> segments;  ///< The estimate, one color per segment.
   PoseSequence truth;                  ///< Empty if there is none.
 };
 
-/// The gnuplot script that writes the image, as PNG, to standard output: the path from above
-/// (x and z; other axes in worlds whose y axis is not the vertical), and the third axis over time.
+/// Returns the gnuplot script that writes the plot as PNG to standard output: the path from above
+/// (x and z; other axes if the y axis is not vertical), and the third axis over time.
 std::string PlotScript(const TrajectoryPlot& plot);
 
-/// The poses, moved into another world.
+/// Returns the poses in another world frame.
 PoseSequence MovePoses(const Sim3& target_from_world, PoseSequence poses);
 
-/// Draws with gnuplot. False, with no file left, where gnuplot is missing or fails.
+/// Draws the plot with gnuplot. Returns false and leaves no file if gnuplot is missing or fails.
 bool DrawTrajectory(const TrajectoryPlot& plot, const std::filesystem::path& png);
 
 }  // namespace corvo

@@ -20,19 +20,19 @@ std::string_view Advice(Reason reason) {
     case Reason::kTooFewFeatures:
       return "the images are too dark, blurred or blank";
     case Reason::kTooFewMatches:
-      return "the images change too much from one to the next: blur, or too low a frame rate";
+      return "consecutive images change too much: motion blur, or a frame rate that is too low";
     case Reason::kLowParallax:
       return "the camera hardly moves: it must move sideways or forwards";
     case Reason::kRotationOnly:
-      return "the camera turns without moving: it must move sideways or forwards";
+      return "the camera rotates without translating: it must move sideways or forwards";
     case Reason::kPlanar:
-      return "the scene is one plane: move until something at another depth comes into view";
+      return "the scene is planar: move until something at another depth comes into view";
     case Reason::kAmbiguousMotion:
-      return "no motion explains the images: check the camera file, or the scene moves";
+      return "no camera motion explains the images: check the camera file, or the scene moves";
     case Reason::kBadTriangulation:
       return "points do not triangulate: check the camera file, or move further";
     case Reason::kTooFewInliers:
-      return "tracking lost the map: blur, fast turns, or things that move";
+      return "tracking was lost: motion blur, fast turns, or moving objects";
     case Reason::kStaticOverlay:
       return "most of the image moves with the camera: exclude it with --mask";
     case Reason::kRepeatedImage:

@@ -8,10 +8,11 @@
 
 namespace corvo {
 
-/// How many of the frames that are not posed give each reason.
+/// Returns the number of frames without a pose for each reason.
 std::map<Reason, int> CountReasons(const Trajectory& trajectory);
 
-/// What the user can do about frames without a pose for this reason.
+/// Returns an explanation of frames without a pose for this reason and what the user can do about
+/// it.
 std::string_view Advice(Reason reason);
 
 }  // namespace corvo

@@ -61,8 +61,8 @@ nlohmann::ordered_json ToJson(const RefinementReport& report) {
 std::string ToText(const RefinementReport& report) {
   if (!report.why_not.empty()) return fmt::format("not refined: {}\n", report.why_not);
   return fmt::format(
-      "refined: robust cost {:.1f} -> {:.1f} over {} observations; {} frames adjusted, {} placed "
-      "again, {} moved with them\n",
+      "refined: robust cost {:.1f} -> {:.1f} over {} observations; {} frames adjusted, {} located "
+      "again, {} moved along\n",
       report.cost_before, report.cost_after, report.num_observations, report.num_adjusted,
       report.num_placed, report.num_moved);
 }

@@ -11,9 +11,9 @@ namespace corvo {
 
 /// The figures of a refinement.
 struct RefinementReport {
-  std::string why_not;  ///< Why the trajectory is the plain one; empty if it is refined.
+  std::string why_not;  ///< Why the trajectory was not refined; empty if it was.
   double cost_before = 0;
-  double cost_after = 0;  ///< Of a refined trajectory.
+  double cost_after = 0;  ///< Valid only if the trajectory was refined.
   int num_observations = 0;
   int num_inliers = 0;
   int num_adjusted = 0;
@@ -25,7 +25,7 @@ RefinementReport ReportRefinement(const Refinement& refinement);
 
 nlohmann::ordered_json ToJson(const RefinementReport& report);
 
-/// A line.
+/// Returns one line.
 std::string ToText(const RefinementReport& report);
 
 }  // namespace corvo

@@ -11,9 +11,9 @@ namespace corvo {
 namespace {
 
 constexpr int kColumns = 24;
-constexpr int kMinCount = 5;  // Means of fewer are noise.
+constexpr int kMinCount = 5;  // Means of fewer residuals are noise.
 
-/// Arrows this many times as long as the errors, so that the longest spans a cell.
+/// Returns the ratio of arrow length to residual with which the longest arrow spans a cell.
 double Magnification(const Camera& camera, const std::vector<ResidualCell>& cells) {
   constexpr double kSmallest_px = 1e-3;
   double longest = kSmallest_px;

@@ -12,22 +12,22 @@
 
 namespace corvo {
 
-/// Inliers' errors in one cell of the image.
+/// The residuals of inliers in one cell of the image.
 struct ResidualCell {
   Eigen::Vector2d center;                             ///< px
-  Eigen::Vector2d mean_px = Eigen::Vector2d::Zero();  ///< Seen minus predicted.
+  Eigen::Vector2d mean_px = Eigen::Vector2d::Zero();  ///< Observed minus predicted.
   int count = 0;
 };
 
-/// What a camera leaves over in each cell of `columns` x `rows` of its image, row by row.
+/// Returns the mean residuals in each of `columns` x `rows` cells of the image, row by row.
 std::vector<ResidualCell> MeanResiduals(const Camera& camera, const std::vector<Bundle>& bundles,
                                         int columns, int rows);
 
-/// The gnuplot script that draws the cells' mean errors as arrows over the image, as PNG, to
-/// standard output: where they point the same way in a region, the model does not fit there.
+/// Returns the gnuplot script that writes a PNG to standard output, with the mean residuals of the
+/// cells as arrows. If they point in the same direction in a region, the model does not fit there.
 std::string ResidualPlotScript(const Camera& camera, const std::vector<ResidualCell>& cells);
 
-/// Draws with gnuplot. False, with no file left, where gnuplot is missing or fails.
+/// Draws the plot with gnuplot. Returns false and leaves no file if gnuplot is missing or fails.
 bool DrawResiduals(const Camera& camera, const std::vector<Bundle>& bundles,
                    const std::filesystem::path& png);
 

@@ -57,7 +57,8 @@ TrackDrawings::TrackDrawings(const std::filesystem::path& folder) : folder_(fold
   if (folder_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) throw Error(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
+  if (error)
+    throw Error(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
 }
 
 void TrackDrawings::Add(const cv::Mat& image, const Frame& frame, const FrameResult& result) {

@@ -11,19 +11,20 @@
 
 namespace corvo {
 
-/// The image in color, with the frame's keypoints: those that see a landmark as green circles,
-/// with a line from where `previous` has that landmark, the others as gray dots; and on top the
-/// frame's number, state and inliers.
+/// Returns the image in color with the frame's keypoints and a caption with its index, state and
+/// number of inliers. Keypoints that observe a landmark are green circles, with a line from the
+/// landmark's pixel in `previous`; the others are gray dots.
 cv::Mat DrawTracks(const cv::Mat& image, const Frame& frame, const FrameResult& result,
                    const std::map<LandmarkId, cv::Point2f>& previous);
 
 /// Draws the tracked features of every frame into a folder: 000000.jpg, 000001.jpg ...
 class TrackDrawings {
  public:
-  /// Makes the folder; none is drawn into an empty path. Throws corvo::Error where it cannot.
+  /// Creates the folder. With an empty path, nothing is drawn. Throws corvo::Error if the folder
+  /// cannot be created.
   explicit TrackDrawings(const std::filesystem::path& folder);
 
-  /// Throws corvo::Error where the image cannot be written.
+  /// Draws a frame. Throws corvo::Error if the image cannot be written.
   void Add(const cv::Mat& image, const Frame& frame, const FrameResult& result);
 
  private:

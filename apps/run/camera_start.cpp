@@ -16,12 +16,12 @@ namespace {
 std::string StepText(const CalibrationStep& step, int num_sequences) {
   switch (step.stage) {
     case CalibrationStep::Stage::kFocalSearch:
-      return "searching the focal length";
+      return "searching for the focal length";
     case CalibrationStep::Stage::kTracking:
-      return fmt::format("finding the camera: round {}, input {} of {}", step.round,
-                         step.sequence + 1, num_sequences);
+      return fmt::format("calibrating: round {}, input {} of {}", step.round, step.sequence + 1,
+                         num_sequences);
     case CalibrationStep::Stage::kAdjustment:
-      return fmt::format("adjusting, {}", ToString(step.model));
+      return fmt::format("adjusting model {}", ToString(step.model));
   }
   return "";
 }
@@ -39,14 +39,13 @@ CalibrationProgress ShowCalibration(int num_sequences, const Interruption& inter
 void ReportFocalSearch(const CameraStart& start) {
   const auto& [search, prior] = start;
   if (search.is_determined) {
-    spdlog::info("focal search: {:.1f} px, from {} pairs of images", search.camera.fx,
-                 search.num_pairs);
+    spdlog::info("focal search: {:.1f} px from {} image pairs", search.camera.fx, search.num_pairs);
     return;
   }
   spdlog::warn(
-      "the images do not determine the focal length ({} pairs of images); it starts from {:.0f} px "
-      "to within {:.0f}%. Record something that is not flat, and turn while moving, not straight "
-      "along the axis",
+      "the images do not determine the focal length ({} image pairs); it is initialized to "
+      "{:.0f} px with a standard deviation of {:.0f}%. Record a scene that is not flat, and turn "
+      "while moving instead of moving straight along the optical axis",
       search.num_pairs, search.camera.fx, 100 * prior.free.front().sigma);
 }
 

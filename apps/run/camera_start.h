@@ -6,15 +6,16 @@
 
 namespace corvo {
 
-/// Shows a self-calibration as a line on standard error; ends it when an interruption is requested.
+/// Returns a progress callback that shows a self-calibration as a line on standard error and
+/// cancels it if an interruption is requested. `interruption` must outlive the callback.
 CalibrationProgress ShowCalibration(int num_sequences, const Interruption& interruption);
 
-/// Says on standard error which focal length was found, and what to record where the images do not
-/// determine it.
+/// Logs the focal length that was found, or a warning with advice on what to record if the images
+/// do not determine it.
 void ReportFocalSearch(const CameraStart& start);
 
-/// The camera of a sequence without a calibration, see FindCamera; says what was found. Throws
-/// corvo::Error and Interrupted.
+/// Returns the camera of a sequence without a calibration, see FindCamera(), and logs it. Throws
+/// corvo::Error, and Interrupted if an interruption was requested.
 CameraPrior FindSequenceCamera(const StreamOpener& sequence, const SelfCalibrationOptions& options,
                                const Interruption& interruption);
 

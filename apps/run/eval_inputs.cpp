@@ -28,14 +28,15 @@ fs::path FindTruth(const EvalFiles& files) {
   const fs::path file = FindGroundTruth(given);
   if (file.empty()) {
     throw Error(
-        fmt::format("{}: no ground truth where KITTI, EuRoC, TUM RGB-D, TUM-VI and "
-                    "TUM-mono have it; name the file",
+        fmt::format("{}: no ground truth in the layout of KITTI, EuRoC, TUM RGB-D, TUM-VI or "
+                    "TUM-mono; give the file",
                     given.string()));
   }
   return file;
 }
 
-/// --times, or else the times.txt of the KITTI sequence whose folder was given.
+/// Returns the file given by --times, or else the times.txt in the ground truth folder (KITTI).
+/// Empty if there is neither.
 fs::path FindTimes(const EvalFiles& files) {
   if (!files.times.empty()) return files.times;
   if (files.truth.empty()) return {};
@@ -43,13 +44,13 @@ fs::path FindTimes(const EvalFiles& files) {
   return fs::is_regular_file(times) ? times : fs::path();
 }
 
-/// The poses of a file, with the times of another where it has none of its own.
+/// Returns the poses with their own timestamps, or else with those of `times_file`, if given.
 PoseSequence WithTimesOf(const PoseFile& poses, const fs::path& file, const fs::path& times_file) {
   if (poses.has_times() || times_file.empty()) return poses.poses();
   const std::vector<TimeNs> times = ReadKittiTimes(times_file);
   if (poses.size() != times.size()) {
-    throw Error(fmt::format("{}: {} times for {} poses in {}", times_file.string(), times.size(),
-                            poses.size(), file.string()));
+    throw Error(fmt::format("{}: {} timestamps for {} poses in {}", times_file.string(),
+                            times.size(), poses.size(), file.string()));
   }
   return poses.WithTimes(times);
 }
@@ -64,7 +65,7 @@ EvalInputs ReadEvalInputs(const EvalFiles& files) {
   if (estimate.has_times() != truth.has_times() && times.empty()) {
     const fs::path& without = estimate.has_times() ? inputs.truth_file : inputs.estimate_file;
     throw Error(
-        fmt::format("{}: KITTI format has no times; give --times FILE with the time of "
+        fmt::format("{}: KITTI format has no timestamps; give --times FILE with the timestamp of "
                     "each row (the sequence's times.txt)",
                     without.string()));
   }

@@ -7,12 +7,12 @@
 
 namespace corvo {
 
-/// What `corvo eval` compares. Empty paths were not given.
+/// The files that `corvo eval` compares. An empty path was not given.
 struct EvalFiles {
-  std::filesystem::path estimate;  ///< A file of poses, or the folder that `corvo run` wrote.
-  std::filesystem::path truth;     ///< A file of poses, or a sequence's folder in its layout;
-                                   ///< without it, the groundtruth.tum that `corvo run` wrote.
-  std::filesystem::path times;     ///< Of the rows of a file in KITTI format.
+  std::filesystem::path estimate;  ///< Pose file, or output folder of `corvo run`.
+  std::filesystem::path truth;     ///< Pose file, or folder of a dataset sequence. If empty, the
+                                   ///< groundtruth.tum that `corvo run` wrote is used.
+  std::filesystem::path times;     ///< File with the timestamps of the rows of a KITTI file.
 };
 
 struct EvalInputs {
@@ -22,8 +22,9 @@ struct EvalInputs {
   PoseSequence truth;
 };
 
-/// Finds and reads both. Two files in KITTI format are compared row by row, as poses a second
-/// apart, unless there are times. Throws corvo::Error.
+/// Finds and reads both trajectories. Two files in KITTI format are compared row by row, as poses
+/// one second apart, unless timestamps are available. Throws corvo::Error if a file is missing or
+/// malformed.
 EvalInputs ReadEvalInputs(const EvalFiles& files);
 
 }  // namespace corvo

@@ -5,25 +5,26 @@
 
 namespace corvo {
 
-/// Exit code of a command that was interrupted, as shells have it for SIGINT.
+/// The exit code of an interrupted command, which is the shells' convention for SIGINT (128 + 2).
 inline constexpr int kInterrupted = 130;
 
-/// One of the signals, as an error that ends a command: nothing has been written yet.
+/// An exception that ends a command after SIGINT or SIGTERM, before anything has been written.
 struct Interrupted {};
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM no longer end the process but wait to be asked for,
-/// so that files are never left half-written. Of this thread and those that it starts.
+/// Blocks SIGINT (Ctrl-C) and SIGTERM during its lifetime, so that they stay pending instead of
+/// ending the process while files are half-written. Applies to the calling thread and to threads
+/// that it starts.
 class Interruption {
  public:
   Interruption();
-  /// A signal that came meanwhile is forgotten.
+  /// Discards pending signals and restores the signal mask.
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// Whether one of the signals has come.
+  /// Returns whether one of the signals is pending.
   bool IsRequested() const;
-  /// Throws Interrupted if so.
+  /// Throws Interrupted if one of the signals is pending.
   void ThrowIfRequested() const;
 
  private:

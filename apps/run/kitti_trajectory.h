@@ -8,11 +8,11 @@
 
 namespace corvo {
 
-/// Why a trajectory cannot be written in KITTI format, which has a row for every frame, all in one
-/// world; empty where it can.
+/// Returns why a trajectory cannot be written in KITTI format, which has one row per frame, all in
+/// one world frame. Empty if it can be written.
 std::string WhyNotKitti(const Trajectory& trajectory);
 
-/// The pose of every frame. Only for trajectories with nothing against it.
+/// Returns the pose of every frame. Requires that WhyNotKitti() returns an empty string.
 std::vector<SE3> KittiRows(const Trajectory& trajectory);
 
 }  // namespace corvo

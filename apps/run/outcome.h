@@ -7,17 +7,17 @@
 
 namespace corvo {
 
-/// How a run ended. The values are the exit codes of `corvo run`; 1 stands for bad input.
+/// The outcome of a run. The values are the exit codes of `corvo run`, in which 1 is invalid input.
 enum class Outcome {
   kDone = 0,
-  kNeverInitialized = 2,  ///< No frame is posed.
+  kNeverInitialized = 2,  ///< No frame has a pose.
   kLost = 3,              ///< Lost after initialization: a gap, or poses in several segments.
 };
 
 Outcome JudgeOutcome(const Trajectory& trajectory);
 std::string_view ToString(Outcome outcome);
 
-/// Distinct segments among the posed frames.
+/// Returns the number of distinct segments among the frames with a pose.
 int CountPosedSegments(const Trajectory& trajectory);
 
 int CountPosedFrames(const Trajectory& trajectory);

@@ -9,20 +9,21 @@
 
 namespace corvo {
 
-/// How far a run is, after a frame.
+/// The progress of a run after a frame.
 struct Progress {
   FrameResult frame;
-  int num_frames = 0;  ///< Of the sequence; 0 where its end is not known.
+  int num_frames = 0;  ///< Length of the sequence; 0 if it is unknown.
   double frames_per_second = 0;
 };
 
-/// "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s"
+/// Returns text like "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s".
 std::string ProgressText(const Progress& progress);
 
-/// The share of the frames that are done; none where the sequence's end is not known.
+/// Returns the fraction of the frames that are processed, or std::nullopt if the length of the
+/// sequence is unknown.
 std::optional<double> ShareDone(const Progress& progress);
 
-/// Tells on standard error how far a run is: on a terminal a bar that is drawn over, else a line
+/// Reports the progress of a run on standard error: as a bar on a terminal, otherwise as one line
 /// every 100 frames.
 class ProgressReport {
  public:

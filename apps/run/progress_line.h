@@ -8,11 +8,12 @@
 
 namespace corvo {
 
-/// The text after a bar that shows the share done, in at most `columns` characters. Without a bar
-/// where the share is not known or there is no room.
+/// Returns a bar that shows the fraction `share`, followed by the text, in at most `columns`
+/// characters. The bar is omitted if `share` is std::nullopt or there is no room.
 std::string ProgressBar(std::optional<double> share, const std::string& text, int columns);
 
-/// A line on standard error that is drawn over as things go on; nothing where that is no terminal.
+/// A progress line on standard error that is redrawn in place. Does nothing if standard error is
+/// not a terminal.
 class ProgressLine {
  public:
   ProgressLine();

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kDefaultFrameRateHz = 30.0;
 
-/// The camera the user named, if any: a camera file, or the camera.txt of a TUM-mono sequence.
+/// Returns the camera given by --camera, if any: a camera file, or the camera.txt of a TUM-mono
+/// sequence.
 std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
   if (arguments.camera.empty()) return std::nullopt;
   if (arguments.camera.extension() != ".txt") return ReadCameraFile(arguments.camera);
@@ -35,7 +36,7 @@ double DefaultFrameRate(const std::optional<CameraFile>& file) {
                                     arguments.input.string());
   const std::vector<std::filesystem::path> cameras = FindShippedCameras(size.width, size.height);
   if (!cameras.empty()) {
-    message += fmt::format("; for {} x {} px there are", size.width, size.height);
+    message += fmt::format("; camera files for {} x {} px:", size.width, size.height);
     for (const std::filesystem::path& file : cameras) {
       message += fmt::format(" {}", file.string());
     }
@@ -49,7 +50,8 @@ std::vector<TimeNs> FrameTimes(const ImageList& list) {
   return times;
 }
 
-/// The times of a video or of a camera are not known beforehand.
+/// Reads the ground truth. A video or a live camera needs ground truth with timestamps, because its
+/// own are not known in advance.
 RunTruth ReadTruth(const RunArguments& arguments, const ImageList& list) {
   if (!list.images.empty()) {
     return ReadRunTruth(arguments.truth, arguments.input, FrameTimes(list));
@@ -57,8 +59,9 @@ RunTruth ReadTruth(const RunArguments& arguments, const ImageList& list) {
   if (arguments.truth.empty() || arguments.truth == "none") return {};
   const PoseFile truth = ReadTruthFile(arguments.truth);
   if (truth.has_times()) return {arguments.truth, truth.poses()};
-  throw Error(fmt::format("{}: KITTI format has no times; a {} needs a truth in TUM format",
-                          arguments.truth.string(), list.layout));
+  throw Error(
+      fmt::format("{}: KITTI format has no timestamps; a {} needs ground truth in TUM format",
+                  arguments.truth.string(), list.layout));
 }
 
 OdometryOptions ReadRunOptions(const RunArguments& arguments) {
@@ -73,7 +76,7 @@ OdometryOptions ReadRunOptions(const RunArguments& arguments) {
 void CheckFocal(const RunArguments& arguments) {
   if (arguments.focal.empty() || !IsLiveInput(arguments.input.string())) return;
   throw Error(
-      fmt::format("--focal auto: {} is a live camera, whose images come but once; give --camera "
+      fmt::format("--focal auto: {} is a live camera, which cannot be read twice; give --camera "
                   "FILE, or a recording",
                   arguments.input.string()));
 }
@@ -82,7 +85,7 @@ MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
   return arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
 }
 
-/// The images of a run, of the size that they have.
+/// Returns the images of a run in their original size.
 ImageSource OpenPreparedImages(const RunArguments& arguments) {
   ImageSource images = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   kDefaultFrameRateHz, arguments.selection);
@@ -92,7 +95,8 @@ ImageSource OpenPreparedImages(const RunArguments& arguments) {
   return images;
 }
 
-/// Named, found or the dataset's own.
+/// Returns the given camera, or the one calibrated from the images if requested, or else the
+/// dataset's.
 CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<CameraFile>& named,
                        const OdometryOptions& options, const Interruption& interruption,
                        ImageSource& source) {
@@ -124,38 +128,41 @@ cv::Size ParseResize(const std::string& text, const cv::Size& size) {
 }
 
 void AddSelectionOptions(CLI::App& command, Selection& selection) {
-  command.add_option("--start", selection.start, "index of the first image, from 0")
+  command.add_option("--start", selection.start, "index of the first image, starting at 0")
       ->check(CLI::Range(0, 1000000000));
-  command.add_option("--every", selection.every, "of so many images one is read")
+  command.add_option("--every", selection.every, "use only every n-th image")
       ->check(CLI::Range(1, 1000000000));
-  command.add_option("--count", selection.count, "images to read, at most")
+  command.add_option("--count", selection.count, "maximum number of images")
       ->check(CLI::Range(1, 1000000000));
 }
 
 void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("INPUT", arguments.input,
-                  "folder of images, quoted pattern of images, KITTI, EuRoC, TUM-VI, TUM RGB-D or "
-                  "TUM-mono sequence, video, or number of a camera")
+                  "image folder, quoted file pattern, KITTI, EuRoC, TUM-VI, TUM RGB-D or TUM-mono "
+                  "sequence, video, or camera number")
       ->required();
   CLI::Option* const camera =
       command.add_option("--camera", arguments.camera,
-                         "camera file, or a TUM-mono camera.txt; instead of the dataset's own");
+                         "camera file or TUM-mono camera.txt; overrides the dataset's calibration");
   command
-      .add_option("--focal", arguments.focal,
-                  "auto: the camera is found in the images: a search for the focal length, and a "
-                  "first pass through 500 of them at most; instead of the dataset's camera")
+      .add_option(
+          "--focal", arguments.focal,
+          "auto: calibrate the camera from the images, by a focal length search and a first "
+          "pass over at most 500 images; overrides the dataset's calibration")
       ->check(CLI::IsMember({"auto"}))
       ->excludes(camera);
   command
       .add_option("--fps", arguments.frame_rate_hz,
-                  "frames a second of images without times, or instead of a video's times")
+                  "frame rate of images without timestamps, Hz; overrides a video's timestamps")
       ->check(CLI::Range(1e-3, 1e6));
   AddSelectionOptions(command, arguments.selection);
   command.add_option("--resize", arguments.resize,
-                     "WxH in px or a factor; the camera is scaled with the images");
-  command.add_option("--mask", arguments.mask,
-                     "image, or folder with one for each: no features where it is 0");
+                     "new image size WxH in px, or a factor; the camera is scaled accordingly");
+  command.add_option(
+      "--mask", arguments.mask,
+      "mask image, or folder with one mask per image; no features are detected where "
+      "a mask is 0");
 }
 
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption) {

@@ -15,31 +15,30 @@
 
 namespace corvo {
 
-/// What the user asked `corvo run` for. Empty paths were not given.
+/// The arguments of `corvo run`. An empty path was not given.
 struct RunArguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path config;
   std::filesystem::path camera;
-  std::string focal;               ///< "auto": the camera is found from the images.
-  std::filesystem::path truth;     ///< "none" is none, even where the dataset has it.
-  std::optional<double> max_dt_s;  ///< Between poses that are compared; none is half a frame.
+  std::string focal;               ///< "auto" to calibrate the camera from the images, or empty.
+  std::filesystem::path truth;     ///< "none" disables the dataset's ground truth, too.
+  std::optional<double> max_dt_s;  ///< Maximum time difference of compared poses; see HalfFrame().
   std::filesystem::path mask;
   std::optional<double> frame_rate_hz;
   std::filesystem::path drawings;         ///< Folder for drawings of the tracked features.
-  std::optional<double> meters_per_unit;  ///< Scales what is written; none is 1.
+  std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
   Selection selection;
-  std::string resize;  ///< "WxH" or a factor; empty: not asked for.
+  std::string resize;  ///< "WxH" or a factor; empty for the original size.
   int threads = 1;
-  bool refine = false;      ///< After the last frame.
-  std::string calibration;  ///< "estimate" or "fixed"; empty: as the options say.
+  bool refine = false;      ///< Refine the whole sequence after the last frame.
+  std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
 };
 
-/// Everything a run reads but the images.
+/// The inputs of a run.
 struct RunInputs {
   OdometryOptions options;
-  CameraPrior
-      camera;  ///< Of the images as `source` hands them out: resized, if that was asked for.
+  CameraPrior camera;  ///< Camera of the images as `source` returns them, after resizing.
   ImageSource source;
   RunTruth truth;
 };
@@ -47,15 +46,16 @@ struct RunInputs {
 /// Adds --start, --every and --count.
 void AddSelectionOptions(CLI::App& command, Selection& selection);
 
-/// Adds INPUT and the options that say which images are read, and how.
+/// Adds INPUT and the options that select the images and their camera.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
-/// Reads and checks all of it, and that the first image has the camera's size; finds the camera
-/// where that is asked for. Throws corvo::Error and Interrupted.
+/// Reads and checks all inputs, including that the first image has the camera's size. Calibrates
+/// the camera from the images if requested. Throws corvo::Error, and Interrupted if an interruption
+/// was requested.
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption);
 
-/// The size of "WxH", or of `size` times a factor, rounded. Throws corvo::Error on any other text,
-/// and on a size outside 16 to 100000 px.
+/// Returns the size given by "WxH", or `size` times the given factor, rounded. Throws corvo::Error
+/// for any other text and for a size outside 16 to 100000 px.
 cv::Size ParseResize(const std::string& text, const cv::Size& size);
 
 }  // namespace corvo

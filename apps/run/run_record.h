@@ -14,19 +14,19 @@
 
 namespace corvo {
 
-/// What a run leaves behind, before anything is written.
+/// The data that a run produces, before anything is written.
 struct RunRecord {
   explicit RunRecord(Odometry configured) : odometry(std::move(configured)) {}
 
   Odometry odometry;
-  /// Landmarks that have left the odometry's map.
+  /// Landmarks that were removed from the odometry's map.
   std::unique_ptr<LandmarkSpool> finished = std::make_unique<LandmarkSpool>();
-  ObservationLog observations;           ///< Only where the run is refined.
-  std::optional<Refinement> refinement;  ///< Where it was asked for.
-  Trajectory trajectory;  ///< As known after the last image; in meters where that was asked for.
+  ObservationLog observations;           ///< Filled only if refinement is requested.
+  std::optional<Refinement> refinement;  ///< Set only if refinement is requested.
+  Trajectory trajectory;                 ///< Final estimate, scaled by --meters-per-unit.
   std::vector<FrameTiming> timings;
   double elapsed_s = 0;
-  bool is_interrupted = false;  ///< Ended by Ctrl-C, before the last image.
+  bool is_interrupted = false;  ///< The run was interrupted and must not be written.
 
   bool is_refined() const { return refinement && refinement->adjustment.is_usable(); }
 };

@@ -33,7 +33,8 @@ std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
   return segments;
 }
 
-/// The estimate, aligned to the truth where there is one; of the truth, the time of the images.
+/// Returns the plot of the estimate, together with the ground truth during the images' time span.
+/// The estimate is aligned with the ground truth if the trajectory was evaluated.
 TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
                         const RunSummary& summary) {
   TrajectoryPlot plot{PosesBySegment(trajectory), {}};
@@ -69,7 +70,7 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
   output.Write("timing.csv", TimingTable(record.timings));
 }
 
-/// Without sigmas where they do not hold: the images contradict them.
+/// Returns the estimated camera, without standard deviations if the images contradict the prior.
 CameraFile EstimatedCamera(const CalibrationReport& calibration) {
   CameraFile file{Camera(calibration.camera), {}, "estimated by corvo run", {}};
   if (!calibration.prior_rejected) file.sigma = calibration.sigma;
@@ -93,7 +94,8 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
   const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);
   if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) {
-    spdlog::warn("no trajectory.png: gnuplot is missing or failed (Debian: gnuplot-nox)");
+    spdlog::warn(
+        "trajectory.png was not written: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
   output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
                  "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv",

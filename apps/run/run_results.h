@@ -8,8 +8,8 @@
 
 namespace corvo {
 
-/// Writes every file of a run into the output folder, all at once. Warns where there is no gnuplot
-/// to draw with.
+/// Writes all result files of a run into the output folder, all at once. Logs a warning if gnuplot
+/// is not available for the plot.
 void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
                   const RunSummary& summary, OutputFolder& output);
 

@@ -37,7 +37,7 @@ Json CountsJson(const std::map<Key, int>& counts) {
   return json;
 }
 
-/// The reasons, the most frequent first.
+/// Returns the reasons, the most frequent first.
 std::vector<std::pair<Reason, int>> ByCount(const std::map<Reason, int>& reasons) {
   std::vector<std::pair<Reason, int>> sorted(reasons.begin(), reasons.end());
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -45,7 +45,7 @@ std::vector<std::pair<Reason, int>> ByCount(const std::map<Reason, int>& reasons
   return sorted;
 }
 
-/// A histogram, with what to do about each reason.
+/// Returns a histogram of the reasons, with advice on each.
 std::string ReasonsText(const RunSummary& summary) {
   constexpr int kBarColumns = 20;
   if (summary.reasons.empty()) return "";
@@ -65,8 +65,9 @@ std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
   const auto residuals = MeasureResiduals(odometry.map(), options);
   if (residuals && IsImplausible(*residuals, options)) {
     spdlog::warn(
-        "the calibration is implausible: landmarks are {:.1f} px from their matches (median of {}, "
-        "{:.0f} px at most are expected); check the camera's focal length, center and distortion",
+        "the calibration is implausible: the median reprojection error of landmarks is {:.1f} px "
+        "over {} matches, at most {:.0f} px is expected; check the camera's focal length, "
+        "principal point and distortion",
         residuals->median_px, residuals->num_matches, options.max_median_px);
   }
   return residuals;
@@ -77,7 +78,7 @@ std::string CameraSource(const RunArguments& arguments) {
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
 }
 
-/// What was asked for of --start --every --count --resize --mask --fps.
+/// Adds those of --start, --every, --count, --resize, --mask and --fps that were given.
 void AddInputJson(const RunArguments& arguments, Json& json) {
   const Selection& selection = arguments.selection;
   if (selection.start != 0) json["start"] = selection.start;
@@ -88,13 +89,13 @@ void AddInputJson(const RunArguments& arguments, Json& json) {
   if (arguments.frame_rate_hz) json["fps"] = *arguments.frame_rate_hz;
 }
 
-/// None where too little is posed to be compared.
+/// Returns std::nullopt and logs a warning if there are too few poses to be compared.
 std::optional<Evaluation> TryEvaluate(const PoseSequence& estimate, const PoseSequence& truth,
                                       const EvaluationOptions& options) {
   try {
     return Evaluate(estimate, truth, options);
   } catch (const Error& error) {
-    spdlog::warn("no evaluation: {}", error.what());
+    spdlog::warn("the trajectory was not evaluated: {}", error.what());
     return std::nullopt;
   }
 }
@@ -104,7 +105,8 @@ std::optional<TimeNs> MaxDt(const RunArguments& arguments) {
   return std::llround(1e9 * *arguments.max_dt_s);
 }
 
-/// Rotations relative to one another: they need no alignment, and are there where poses are not.
+/// Evaluates relative rotations, which need no alignment and exist for frames without a pose, too.
+/// Returns std::nullopt if no rotations can be compared.
 std::optional<ErrorStatistics> EvaluateRotations(const PoseSequence& rotations,
                                                  const PoseSequence& truth,
                                                  std::optional<TimeNs> max_dt_ns) {

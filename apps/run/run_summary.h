@@ -17,37 +17,38 @@
 
 namespace corvo {
 
-/// The figures of a run. Nothing here depends on the machine or on time.
+/// The figures of a run. They do not depend on the machine or on timing.
 struct RunSummary {
   Outcome outcome = Outcome::kDone;
   int num_frames = 0;
   int num_posed = 0;
-  int num_rotations = 0;  ///< Frames whose rotation is known, posed or not.
+  int num_rotations = 0;  ///< Number of frames with a rotation, with or without a pose.
   int num_segments = 0;
   int num_keyframes = 0;
   int num_landmarks = 0;
   std::map<State, int> states;
-  std::map<Reason, int> reasons;  ///< Of the frames that are not posed.
+  std::map<Reason, int> reasons;  ///< Number of frames without a pose, by reason.
   std::map<AdjustmentStatus, int> window_adjustments;
   std::map<AdjustmentStatus, int> camera_adjustments;
-  std::string why_not_kitti;  ///< Why there is no trajectory.kitti; empty if there is.
+  std::string why_not_kitti;  ///< Why there is no trajectory.kitti; empty if there is one.
   std::optional<MatchResiduals> residuals;
   CalibrationReport calibration;
-  std::optional<RefinementReport> refinement;  ///< Where it was asked for.
-  std::optional<Evaluation> evaluation;        ///< Where there is ground truth to compare with.
-  /// Of all rotations, over one second and in degrees; likewise.
+  std::optional<RefinementReport> refinement;  ///< Set if refinement was requested.
+  std::optional<Evaluation> evaluation;        ///< Set if there is usable ground truth.
+  /// The relative errors of all rotations over one second, in degrees, if there is usable ground
+  /// truth.
   std::optional<ErrorStatistics> rotation_deg;
 };
 
-/// Warns of a calibration that does not fit the images.
+/// Returns the figures of a run. Logs a warning if the calibration does not fit the images.
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
                      const RunRecord& record);
 
-/// summary.json
+/// Returns the content of summary.json.
 nlohmann::ordered_json ToJson(const RunArguments& arguments, const RunInputs& inputs,
                               const RunSummary& summary);
 
-/// What `corvo run` prints at the end.
+/// Returns the text that `corvo run` prints at the end.
 std::string SummaryText(const RunArguments& arguments, const RunSummary& summary);
 
 }  // namespace corvo

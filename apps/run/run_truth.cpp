@@ -16,14 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kNoTruth = "none";
 
-/// Ground truth that no image can be compared with is another sequence's.
+/// Throws corvo::Error if no image has a ground truth pose near its time, in which case the file
+/// belongs to another sequence.
 void CheckOverlap(const PoseSequence& truth, const std::vector<TimeNs>& frame_times,
                   const fs::path& file) {
   PoseSequence frames;
   for (const TimeNs time_ns : frame_times) frames.push_back({time_ns, SE3()});
   const TimeNs max_dt_ns = HalfFrame(frames);
   if (!Associate(frames, truth, max_dt_ns).empty()) return;
-  throw Error(fmt::format("{}: no pose within {} s of any image, whose times are {} to {} s",
+  throw Error(fmt::format("{}: no pose within {} s of any image; the images span {} to {} s",
                           file.string(), 1e-9 * static_cast<double>(max_dt_ns),
                           FormatSeconds(frame_times.front()), FormatSeconds(frame_times.back())));
 }
@@ -45,7 +46,7 @@ RunTruth ReadRunTruth(const fs::path& named, const fs::path& input,
   try {
     return ReadChecked(found, frame_times);
   } catch (const Error& error) {
-    spdlog::warn("ground truth left out: {}", error.what());
+    spdlog::warn("ground truth ignored: {}", error.what());
     return {};
   }
 }

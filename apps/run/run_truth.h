@@ -8,16 +8,16 @@
 
 namespace corvo {
 
-/// What a run is compared with.
+/// The ground truth that a run is compared with.
 struct RunTruth {
   std::filesystem::path file;  ///< Empty if there is none.
-  PoseSequence poses;          ///< Of the camera.
+  PoseSequence poses;          ///< Poses of the camera.
 };
 
-/// The truth in the file `named`, or else that which the dataset of `input` has in its layout; none
-/// for "none". `frame_times` are those of the whole sequence. Throws corvo::Error where the named
-/// file cannot be used or belongs to another time; what the layout has is then left out with a
-/// warning.
+/// Returns the ground truth in the file `named`, or that of the dataset of `input` if `named` is
+/// empty, or none if `named` is "none". `frame_times` are the timestamps of the whole sequence.
+/// Throws corvo::Error if the file `named` cannot be used or does not overlap the sequence in time.
+/// A dataset's ground truth is ignored with a warning in these cases.
 RunTruth ReadRunTruth(const std::filesystem::path& named, const std::filesystem::path& input,
                       const std::vector<TimeNs>& frame_times);
 

@@ -18,7 +18,7 @@ class SequenceStream : public ImageStream {
     return StreamImage{next->image, next->time_ns, next->mask, next->name};
   }
   bool Skip() override { return source_.Skip(); }
-  /// Only the end of a video tells its length.
+  /// Returns std::nullopt for a video, whose length is unknown until its end.
   std::optional<int> size() const override {
     return source_.list().images.empty() ? std::nullopt : source_.size();
   }

@@ -8,8 +8,8 @@
 
 namespace corvo {
 
-/// Opens a sequence for the library, prepared so that each image has the same size. A mask source
-/// is that of the images as `open` hands them out.
+/// Returns an opener of the library's image streams that read the images and masks of the sources
+/// returned by `open`, which should prepare them so that all images have the same size.
 StreamOpener ToStreamOpener(std::function<ImageSource()> open);
 
 }  // namespace corvo

@@ -5,12 +5,12 @@
 
 namespace corvo {
 
-/// Wall time since construction and since the last lap.
+/// Measures the wall time since construction and since the last lap.
 class Stopwatch {
  public:
   double ElapsedMs() const { return Ms(Clock::now() - start_); }
 
-  /// Since the lap before, or construction.
+  /// Returns the time since the previous call, or since construction, and starts a new lap.
   double LapMs() {
     const Clock::time_point now = Clock::now();
     const double lap_ms = Ms(now - lap_);

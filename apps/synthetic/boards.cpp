@@ -13,13 +13,14 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kBoards = 3;
-constexpr double kHeight = 0.9;  ///< Of a board, as a share of its row of the image.
+constexpr double kHeight = 0.9;  ///< Height of a board as a fraction of its image row.
 constexpr double kDepth = 0.8;   ///< m
 constexpr double kPeriodsS[kBoards] = {5.3, 4.1, 6.7};
 
 Eigen::Vector2d RayThrough(const Camera& camera, double x, double y) {
   const auto ray = camera.Undistort({x, y});
-  if (!ray) throw Error("moving_share: the camera sees nothing at the middle of its border");
+  if (!ray)
+    throw Error("moving_share: the camera has no ray through the middle of its image border");
   return *ray;
 }
 

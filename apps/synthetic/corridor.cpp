@@ -17,9 +17,9 @@ constexpr double kBegin = -4, kEnd = 60;              ///< Along x, m.
 constexpr double kHalfWidth = 1.1, kHeight = 2.6;     ///< Along y and z, m.
 constexpr double kDoorSpacing = 5, kLampSpacing = 4;  ///< m
 constexpr double kNoticeSpacing = 9;                  ///< m
-constexpr double kReach = 25, kSpeed = 1.2;           ///< Of the walk back and forth, m and m/s.
+constexpr double kReach = 25, kSpeed = 1.2;           ///< Range and speed of the walk, m and m/s.
 
-/// The canvas with its contrast cut to `percent`, about `gray`.
+/// Returns the canvas with its contrast reduced to `percent`, centered on `gray`.
 Canvas Faint(Canvas canvas, int gray, int percent) {
   for (std::uint8_t& texel : canvas.texels) {
     texel = static_cast<std::uint8_t>(gray + (texel - 128) * percent / 100);
@@ -38,7 +38,8 @@ class CorridorBuilder {
   }
 
  private:
-  /// A rectangle on a side wall, `side` 1 for the left one (y > 0): from `near` to `far` along x.
+  /// Returns a rectangle on a side wall from `near` to `far` along x. `side` is 1 for the left wall
+  /// (y > 0) and -1 for the right one.
   Quad OnSide(int side, double near, double far, double bottom, double top, double gap) const {
     Quad quad;
     quad.right = side * Eigen::Vector3d::UnitX();
@@ -49,7 +50,7 @@ class CorridorBuilder {
     return quad;
   }
 
-  /// A rectangle that looks up (`facing` 1, a floor) or down (-1) at height z.
+  /// Returns a rectangle at height z that faces up (`facing` 1, a floor) or down (-1).
   Quad Horizontal(int facing, double z, double near, double far, double half_width) const {
     Quad quad;
     quad.right = Eigen::Vector3d::UnitX();
@@ -60,7 +61,7 @@ class CorridorBuilder {
     return quad;
   }
 
-  /// The wall that closes the corridor at its end (`facing` -1) or its beginning (1).
+  /// Returns the wall that closes the corridor at its end (`facing` -1) or its beginning (1).
   Quad Across(int facing) const {
     Quad quad;
     quad.right = facing * Eigen::Vector3d::UnitY();
@@ -113,7 +114,7 @@ class CorridorBuilder {
   std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();
 };
 
-/// Down the corridor and back, facing the same way.
+/// Returns the viewpoint of a walk down the corridor and back, facing the same way.
 Viewpoint WalkAt(double seconds) {
   Viewpoint viewpoint;
   const double phase = kSpeed / kReach * seconds + 0.7;

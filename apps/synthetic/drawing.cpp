@@ -9,7 +9,7 @@ namespace {
 
 std::uint8_t Clamp(int gray) { return static_cast<std::uint8_t>(std::clamp(gray, 0, 255)); }
 
-/// 3t² - 2t³ at t = i / cell, in units of 1/256.
+/// Returns 3t² - 2t³ at t = i / cell, in units of 1/256.
 std::vector<int> SmoothSteps(int cell) {
   std::vector<int> steps(static_cast<std::size_t>(cell));
   const std::int64_t n = cell;

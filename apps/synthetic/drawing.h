@@ -17,9 +17,9 @@ struct Disc {
   int x, y, radius;
 };
 
-/// Value noise: lattices of hashed values, smoothly interpolated, of cell size `coarsest`, half of
-/// that, and so on to `finest` (powers of two); `amplitude` grays in the coarsest, 3/4 as much in
-/// each one after it.
+/// Value noise: a sum of smoothly interpolated lattices of hashed values, with cell sizes from
+/// `coarsest`, halved repeatedly, to `finest` (powers of two). The amplitude is `amplitude` grays
+/// in the coarsest lattice and 3/4 of the previous one in each finer lattice.
 struct Noise {
   int coarsest, finest, amplitude;
 };
@@ -29,10 +29,10 @@ void Fill(Canvas* canvas, const Rectangle& area, int gray);
 void Add(Canvas* canvas, const Rectangle& area, int grays);
 void Fill(Canvas* canvas, const Disc& area, int gray);
 
-/// A random walk of `length` steps, `thickness` texels thick.
+/// Draws a random walk of `length` steps, `thickness` texels thick.
 void DrawCrack(Canvas* canvas, Random* random, int length, int thickness, int gray);
 
-/// Lines of glyphs, each a random bitmap of 3x5 dots of `dot` texels.
+/// Draws lines of glyphs, each of which is a random bitmap of 3x5 dots of `dot` texels.
 void DrawText(Canvas* canvas, Random* random, const Rectangle& area, int dot, int gray);
 
 }  // namespace corvo::synthetic

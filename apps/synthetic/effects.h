@@ -7,7 +7,7 @@
 
 namespace corvo::synthetic {
 
-/// A stretch of a sequence's time, from its start up to but not including its end.
+/// A half-open interval of a sequence's time: the start is included, the end is not.
 struct TimeSpan {
   double start_s = 0;
   double duration_s = 0;
@@ -17,25 +17,26 @@ struct TimeSpan {
   }
 };
 
-/// Throws corvo::Error naming the start or the duration of `name` if it is out of range.
+/// Throws corvo::Error with the name of the field if the start or the duration of `name` is out of
+/// range.
 void CheckSpan(const std::string& name, const TimeSpan& span);
 
-/// What goes wrong with the images of a sequence. The truth stays as it is.
+/// Disturbances of the images of a sequence. They do not affect the ground truth.
 struct Effects {
-  TimeSpan dark;  ///< The light is all but out: grays fall to a fiftieth.
-  TimeSpan blur;  ///< The shutter stays open from the middle before a frame to the middle after it.
-  double exposure_drift = 0;  ///< Brightness swings by this many stops either way, in 8 s; 0 to 3.
-  double vignetting = 0;      ///< Share of the light that the corners lose; 0 to 0.95.
-  double moving_share = 0;    ///< Share of the image hidden by things that move; 0 to 0.8.
+  TimeSpan dark;  ///< Near darkness: grays are divided by 50.
+  TimeSpan blur;  ///< Motion blur: the shutter is open for a frame interval, centered on the frame.
+  double exposure_drift = 0;  ///< Amplitude of an exposure oscillation (8 s period), stops; 0 to 3.
+  double vignetting = 0;      ///< Fraction of the light that is lost in the corners; 0 to 0.95.
+  double moving_share = 0;    ///< Fraction of the image covered by moving objects; 0 to 0.8.
 
-  /// Throws corvo::Error naming the first field out of range.
+  /// Throws corvo::Error with the name of the first field that is out of range.
   void Validate() const;
 };
 
-/// How much brighter a frame is than the scene; 1 without dark and drift.
+/// Returns the brightness of a frame relative to the scene; 1 without `dark` and `exposure_drift`.
 double Brightness(const Effects& effects, double seconds);
 
-/// Darkens, brightens and vignettes an image (8-bit gray) of that time as `effects` say.
+/// Applies darkness, exposure drift and vignetting at the given time to an 8-bit gray image.
 void ApplyLight(cv::Mat* image, const Effects& effects, double seconds);
 
 }  // namespace corvo::synthetic

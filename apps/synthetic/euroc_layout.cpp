@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The body looks along its x axis, with z up, and carries the camera a little before and above it.
+/// Returns the camera's pose on the body. The body faces along its x axis, with z up; the camera is
+/// slightly in front of it and above it.
 SE3 BodyFromCamera() {
   Eigen::Matrix3d rotation;
   rotation << 0, 0, 1, -1, 0, 0, 0, -1, 0;
@@ -27,7 +28,7 @@ std::string MatrixText(const Eigen::Matrix4d& matrix) {
   return fmt::format("[{}]", fmt::join(entries, ", "));
 }
 
-/// In the words of EuRoC, and for kb4 in those of Kalibr.
+/// Returns the distortion in the format of EuRoC, or for kb4 with the name that Kalibr uses.
 std::string DistortionText(const CameraParameters& camera) {
   if (camera.model == CameraModel::kKb4) {
     return fmt::format("distortion_model: equidistant\ndistortion_coefficients: [{}, {}, {}, {}]\n",

@@ -6,10 +6,10 @@
 
 namespace corvo::synthetic {
 
-/// Makes a folder and those it lies in. Throws corvo::Error where that cannot be done.
+/// Creates a folder and its parent folders. Throws corvo::Error if they cannot be created.
 void MakeFolder(const std::filesystem::path& folder);
 
-/// Throws corvo::Error where the file cannot be written.
+/// Writes a text file. Throws corvo::Error if it cannot be written.
 void WriteText(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace corvo::synthetic

@@ -30,7 +30,7 @@ void DrawMasonry(Canvas* canvas, std::uint64_t seed, const Masonry& masonry) {
   }
 }
 
-/// `count` rectangles of random place, size and gray, added to what is there.
+/// Adds `count` rectangles of random position, size and gray to the canvas.
 void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int largest, int grays) {
   for (int i = 0; i < count; ++i) {
     const int x = random->Between(0, canvas->side - 1), y = random->Between(0, canvas->side - 1);
@@ -40,7 +40,7 @@ void AddPatches(Canvas* canvas, Random* random, int count, int smallest, int lar
   }
 }
 
-/// What every real surface has: many small marks of low contrast and a fine mottling.
+/// Adds many small marks of low contrast and a fine mottling, as on real surfaces.
 void AddWear(Canvas* canvas, std::uint64_t seed, int marks_per_square, int grays) {
   Random random(Hash(seed, 1));
   const int squares = canvas->side / 64 * (canvas->side / 64);
@@ -77,7 +77,7 @@ void DrawDoor(Canvas* canvas, Random* random, const Rectangle& area) {
   Fill(canvas, Disc{area.x + area.width - 8, area.y + area.height / 2, 3}, 220);
 }
 
-/// One cell of a facade, 256x256, `floor` counted from the ground (y grows downwards).
+/// Draws one cell of a facade, 256x256. `floor` counts from the ground; y points downwards.
 void DrawFacadeCell(Canvas* canvas, Random* random, int column, int floor) {
   const int x = 256 * column, y = -256 * (floor + 1);
   if (floor == 0 && random->Chance(45)) {

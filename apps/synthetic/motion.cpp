@@ -6,7 +6,8 @@
 namespace corvo::synthetic {
 namespace {
 
-/// Two incommensurate waves of about 1 and 2 Hz, within ±1; another one for each `channel`.
+/// Returns the sum of two incommensurate waves of about 1 and 2 Hz, within ±1. The waves differ
+/// between channels.
 double Tremor(double seconds, int channel) {
   return 0.6 * std::sin((5.9 + 0.83 * channel) * seconds + 1.7 * channel) +
          0.4 * std::sin((12.7 - 0.57 * channel) * seconds + 2.9 * channel);

@@ -8,21 +8,21 @@
 
 namespace corvo::synthetic {
 
-/// Where a camera stands in a scene and where it looks. rad, m.
+/// The position (m) and the orientation (rad) of a camera in a scene.
 struct Viewpoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double yaw = 0;    ///< Of the optical axis about the vertical, from the scene's x towards y.
-  double pitch = 0;  ///< Upwards.
-  double roll = 0;   ///< Clockwise about the optical axis.
+  double yaw = 0;    ///< Heading of the optical axis, from the scene's x towards y.
+  double pitch = 0;  ///< Elevation of the optical axis, positive upwards.
+  double roll = 0;   ///< Rotation about the optical axis, positive clockwise.
 };
 
 SE3 SceneFromCamera(const Viewpoint& viewpoint);
 
-/// The viewpoint, shaken as a walking person shakes a camera: 5 mm and a third of a degree.
+/// Returns the viewpoint with the shake of a hand-held camera: 5 mm and a third of a degree.
 Viewpoint ShakenByHand(Viewpoint viewpoint, double seconds);
 
-/// `camera` scaled to `options.width`, or what `options.camera` says instead. Throws corvo::Error
-/// on options out of range.
+/// Returns `options.camera` if given, otherwise `camera` scaled to `options.width`. Throws
+/// corvo::Error if the options are out of range.
 Camera ChooseCamera(const CameraParameters& camera, const SequenceOptions& options);
 
 }  // namespace corvo::synthetic

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFrameRateHz = 30;
 
-/// The plane x = 0 of the scene, seen from negative x.
+/// Returns a scene with the plane x = 0, which is visible from negative x.
 std::shared_ptr<const Scene> BuildWall() {
   auto scene = std::make_shared<Scene>();
   Quad wall;

@@ -20,16 +20,16 @@ double Along(const Eigen::Vector3d& form, const Ray& ray) {
   return form.x() * ray.x() + form.y() * ray.y() + form.z();
 }
 
-/// A quad seen from one camera. With h = (x/z, y/z, 1), by linear forms:
+/// A quad in the frame of one camera, as linear forms of h = (x/z, y/z, 1):
 ///
 ///     1/z = inverse_depth . h,  u = (u . h) z,  v = (v . h) z
 struct View {
   Eigen::Vector3d inverse_depth, u, v;
-  double nearest;  ///< Largest 1/z of the quad; infinity if it reaches behind the camera.
+  double nearest;  ///< Largest 1/z of the quad; infinity if it extends behind the camera.
   const Quad* quad;
   const Texture* texture;
 
-  /// 1/z where the ray meets the quad; 0 where it does not.
+  /// Returns 1/z of the point where the ray meets the quad, or 0 if it does not.
   double Meet(const Ray& ray) const {
     const double w = Along(inverse_depth, ray);
     const double a = Along(u, ray), b = Along(v, ray);
@@ -38,14 +38,14 @@ struct View {
   }
 };
 
-/// Largest 1/z of a rectangle: at one of its corners. A little too large, never too small.
+/// Returns a tight upper bound of the largest 1/z of a rectangle, which is at one of its corners.
 double LargestInverseDepth(const Eigen::Vector3d& corner, const Eigen::Vector3d& width,
                            const Eigen::Vector3d& height) {
   const double least_z = corner.z() + std::min(width.z(), 0.0) + std::min(height.z(), 0.0);
   return least_z > 0 ? (1 + 1e-9) / least_z : std::numeric_limits<double>::infinity();
 }
 
-/// None if the camera is behind the quad.
+/// Returns std::nullopt if the camera is behind the quad.
 std::optional<View> MakeView(const Scene& scene, const Quad& quad,
                              const Eigen::Matrix3d& camera_from_scene_rotation,
                              const Eigen::Vector3d& camera_in_scene) {
@@ -65,7 +65,7 @@ std::optional<View> MakeView(const Scene& scene, const Quad& quad,
   return view;
 }
 
-/// Bounds of a bundle of rays.
+/// The bounds of a set of rays.
 struct RayBox {
   Ray low = Ray::Constant(std::numeric_limits<double>::infinity());
   Ray high = Ray::Constant(-std::numeric_limits<double>::infinity());
@@ -81,7 +81,7 @@ struct RayBox {
            form.y() * (form.y() > 0 ? high.y() : low.y()) + form.z();
   }
 
-  /// False only if no ray of the box meets the quad.
+  /// Returns false only if no ray of the box meets the quad.
   bool MayMeet(const View& view) const {
     return Largest(view.inverse_depth) > 0 && Largest(view.u) >= 0 && Largest(view.v) >= 0 &&
            Largest(view.quad->width * view.inverse_depth - view.u) >= 0 &&
@@ -91,10 +91,11 @@ struct RayBox {
 
 struct Candidate {
   const View* view;
-  double nearest;  ///< At least the largest 1/z in the tile.
+  double nearest;  ///< An upper bound of 1/z in the tile.
 };
 
-/// The surface that the ray meets first, of candidates from near to far; null for none.
+/// Returns the surface that the ray meets first, or null if there is none. The candidates are
+/// ordered from near to far.
 const View* FirstMet(const std::vector<Candidate>& candidates, const Ray& ray) {
   const View* first = nullptr;
   double nearest = 0;
@@ -109,7 +110,7 @@ const View* FirstMet(const std::vector<Candidate>& candidates, const Ray& ray) {
   return first;
 }
 
-/// The rays of one pixel: bilinear between those of its corners.
+/// The rays of one pixel, interpolated bilinearly between those of its corners.
 struct PixelRays {
   Ray origin, across, along, twist;
 
@@ -120,18 +121,19 @@ struct PixelRays {
         along(lower_left - upper_left),
         twist(lower_right - upper_right - lower_left + upper_left) {}
 
-  /// 0 <= x, y <= 1 from the upper left corner.
+  /// Returns the ray at (x, y), measured from the upper left corner, 0 <= x, y <= 1.
   Ray At(double x, double y) const { return origin + x * across + y * along + x * y * twist; }
 };
 
-/// Place in a pixel of its i-th subsample: Hammersley's points (1960), whose x and whose y take
-/// kSubsamples different values each, so that an edge along either moves by sixteenths of a pixel.
+/// Returns the position of the i-th subsample in a pixel: a Hammersley point set (1960), whose x
+/// and y take kSubsamples different values each, so that an edge along either axis is resolved to
+/// 1/16 pixel.
 Eigen::Vector2d SubsamplePlace(int i) {
   const int reversed = (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
   return Eigen::Vector2d(i + 0.5, reversed + 0.5) / kSubsamples;
 }
 
-/// Gray of a surface about `ray`, filtered over one pixel.
+/// Returns the gray of a surface around `ray`, filtered over one pixel.
 double Shade(const View& view, const Ray& ray, const PixelRays& pixel) {
   const double z = 1 / Along(view.inverse_depth, ray);
   const double u = z * Along(view.u, ray), v = z * Along(view.v, ray);
@@ -151,7 +153,8 @@ struct Share {
   int count;
 };
 
-/// Mean over a pixel that sees several surfaces, each shaded once at the mean of its rays.
+/// Returns the mean over a pixel that contains several surfaces. Each surface is shaded once, at
+/// the mean of its rays.
 double ShadeEdge(const std::vector<Candidate>& candidates, const PixelRays& pixel,
                  double background) {
   std::array<Share, kSubsamples> shares;
@@ -271,7 +274,7 @@ class Rendering {
   static const View& ViewOf(const View& view) { return view; }
   static const View& ViewOf(const Candidate& candidate) { return *candidate.view; }
 
-  /// Those that rays of the box may meet, from near to far.
+  /// Returns the elements of `among` that rays of the box may meet, from near to far.
   template <typename Container>
   static std::vector<Candidate> Candidates(const Container& among, const RayBox& box) {
     std::vector<Candidate> candidates;

@@ -13,21 +13,22 @@
 
 namespace corvo::synthetic {
 
-/// Casts rays through the camera's own model, so that any distortion it has is in the image.
+/// Renders by casting rays through the camera's model, so that images have its distortion.
 ///
-/// One ray through each corner of the pixels says where surfaces end. A pixel whose corners see the
-/// same surface is shaded once, at its center; any other from 16 rays. Deterministic for
-/// any number of threads.
+/// One ray is cast through each pixel corner. A pixel whose corners meet the same surface is shaded
+/// once, at its center; any other pixel is shaded from 16 rays. The result does not depend on the
+/// number of threads.
 class Renderer {
  public:
   explicit Renderer(const Camera& camera);
 
-  /// CV_8UC1. Black where the camera has no ray. `more` is in the scene besides, with textures of
-  /// the scene.
+  /// Returns the image, CV_8UC1, black where the camera has no ray. `more` are additional quads,
+  /// which use the textures of the scene.
   cv::Mat Render(const Scene& scene, const SE3& scene_from_camera,
                  const std::vector<Quad>& more = {}) const;
 
-  /// CV_32FC1: z in the camera of what the ray through each pixel's center meets, m; 0 for nothing.
+  /// Returns the depth image, CV_32FC1: the z coordinate in the camera frame of the surface at each
+  /// pixel's center, m; 0 if there is none.
   cv::Mat RenderDepth(const Scene& scene, const SE3& scene_from_camera,
                       const std::vector<Quad>& more = {}) const;
 
@@ -35,8 +36,8 @@ class Renderer {
 
  private:
   Camera camera_;
-  /// (x/z, y/z) of the rays through the corners (x - 0.5, y - 0.5) of the pixels, (width + 1) a
-  /// row; NaN for none.
+  /// The rays (x/z, y/z) through the pixel corners (x - 0.5, y - 0.5), row by row with width + 1
+  /// entries each; NaN if there is no ray.
   std::vector<Eigen::Vector2d> corner_rays_;
 };
 

@@ -40,8 +40,8 @@ class RoomBuilder {
     return {scene_->AddTexture(std::move(canvas)), texels_per_meter};
   }
 
-  /// A rectangle on the wall in direction `yaw` seen from the middle of the room: `along` it to the
-  /// right, `bottom` above the floor, `gap` before the wall.
+  /// Returns a rectangle on the wall in direction `yaw` from the middle of the room: offset by
+  /// `along` to the right, `bottom` above the floor, and `gap` in front of the wall.
   Quad OnWall(double yaw, double along, double bottom, double width, double height,
               double gap) const {
     const Eigen::Vector3d outwards(std::cos(yaw), std::sin(yaw), 0);
@@ -71,7 +71,7 @@ class RoomBuilder {
     AddHorizontal(kHeight, -1, walls[0]);
   }
 
-  /// Floor (`facing` 1) or ceiling (-1).
+  /// Adds a floor (`facing` 1) or a ceiling (-1).
   void AddHorizontal(double z, int facing, const Material& material) {
     Quad quad;
     quad.right = Eigen::Vector3d::UnitX();
@@ -132,7 +132,8 @@ class RoomBuilder {
   std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();
 };
 
-/// A loop in space while the gaze wanders over the far half of the room.
+/// Returns the viewpoint on a loop in space. The viewing direction sweeps over the far half of the
+/// room.
 Viewpoint WalkAt(double seconds) {
   const double phase = 2 * kPi * seconds / kLoopSeconds;
   Viewpoint viewpoint;

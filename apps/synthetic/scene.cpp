@@ -13,14 +13,14 @@ namespace {
 
 const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
 
-/// Lambert's law with a fixed ambient part.
+/// Returns the illumination by Lambert's law with a constant ambient part.
 double Illumination(const Quad& quad) {
   const Eigen::Vector3d towards_light(0.48, -0.36, 0.8);
   const Eigen::Vector3d normal = -quad.right.cross(quad.down);
   return 0.8 + 0.25 * normal.dot(towards_light);
 }
 
-/// The side of a box that looks along `normal`.
+/// Returns the side of a box that faces along `normal`.
 Quad Side(const Box& box, const Eigen::Vector3d& normal, double distance, double width) {
   Quad quad;
   quad.right = kUp.cross(normal);
@@ -36,7 +36,7 @@ Quad Side(const Box& box, const Eigen::Vector3d& normal, double distance, double
   return quad;
 }
 
-/// The top of a box (`facing` 1) or its bottom (-1), `height` above its base.
+/// Returns the top of a box (`facing` 1) or its bottom (-1), at `height` above its base.
 Quad Level(const Box& box, int facing, double height, const Eigen::Vector3d& x_axis,
            const Eigen::Vector3d& y_axis) {
   Quad quad;

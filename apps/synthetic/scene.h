@@ -10,12 +10,12 @@
 
 namespace corvo::synthetic {
 
-/// A textured rectangle, seen from its front only. The frame of a scene is in meters with z up.
+/// A textured rectangle, visible only from its front. The frame of a scene is in meters with z up.
 ///
 ///     x_in_scene = corner + u * right + v * down,  0 <= u <= width, 0 <= v <= height
 ///     texel = texture_origin + (u * texels_per_meter.x, v * texels_per_meter.y)
 struct Quad {
-  Eigen::Vector3d corner;  ///< The upper left one, seen from the front.
+  Eigen::Vector3d corner;  ///< Upper left corner, viewed from the front.
   Eigen::Vector3d right;   ///< Unit vector.
   Eigen::Vector3d down;    ///< Unit vector, orthogonal to `right`.
   double width = 0;        ///< m
@@ -23,43 +23,44 @@ struct Quad {
   int texture = 0;         ///< Index into Scene::textures.
   Eigen::Vector2d texture_origin = Eigen::Vector2d::Zero();
   Eigen::Vector2d texels_per_meter = Eigen::Vector2d::Ones();
-  double gain = 1;  ///< Brightness of the surface, times its texture's gray.
+  double gain = 1;  ///< Factor of the texture's gray.
 };
 
-/// A texture at a size.
+/// A texture and its resolution.
 struct Material {
   int texture = 0;
   double texels_per_meter = 100;
 };
 
-/// A cuboid that stands on `base`, turned by `yaw` about the vertical. It has a bottom only if it
-/// is above the ground; the texture of each side starts at `texture_origin` at its lower left
-/// corner.
+/// A cuboid that stands on `base`, rotated by `yaw` about the vertical. It has a bottom only if it
+/// is above the ground. `texture_origin` is at the lower left corner of each side.
 struct Box {
   Eigen::Vector3d base;  ///< Center of the footprint.
   double yaw = 0;        ///< rad
-  Eigen::Vector3d size;  ///< Along the box's own x, y and up, m.
+  Eigen::Vector3d size;  ///< Size along the box's x, y and vertical axes, m.
   Material sides;
   Material top;
   Eigen::Vector2d texture_origin = Eigen::Vector2d::Zero();
   double gain = 1;
 };
 
-/// What there is to see.
+/// The textured surfaces of a scene.
 struct Scene {
   std::vector<Texture> textures;
   std::vector<Quad> quads;
-  double background = 230;  ///< Gray where no surface is.
+  double background = 230;  ///< Gray of pixels without a surface.
 
-  /// The index of the new texture.
+  /// Adds a texture and returns its index.
   int AddTexture(Canvas canvas);
 
-  /// Adds a quad, its gain multiplied by how much of a fixed, distant light its front receives.
+  /// Adds a quad whose gain is multiplied by the illumination of its front by a fixed, distant
+  /// light.
   void AddLit(Quad quad);
 
   void AddBox(const Box& box);
 
-  /// A number that changes with any texel, and with any length in a quad by a micrometer.
+  /// Returns a hash that changes with any texel and with any change of a length in a quad by a
+  /// micrometer.
   std::uint64_t Fingerprint() const;
 };
 

@@ -14,11 +14,12 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr int kBlurMoments = 12;    ///< That make up a blurred image.
-constexpr double kTurnAngle = 0.7;  ///< To either side, rad.
+constexpr int kBlurMoments = 12;    ///< Number of renderings averaged for a blurred image.
+constexpr double kTurnAngle = 0.7;  ///< Angle of the turn to either side, rad.
 
-/// A sample of the standard normal distribution, by the central limit: the sum of twelve uniform
-/// ones of variance 1/12 (so never beyond 6). Exact integers up to the last step.
+/// Returns an approximately standard normal sample by the central limit theorem: the sum of twelve
+/// uniform samples of variance 1/12, so its magnitude is at most 6. Exact integers up to the last
+/// step.
 double StandardNormal(std::uint64_t seed, std::int64_t frame, std::int64_t pixel) {
   const std::uint64_t key = Hash(seed, frame, pixel);
   int sum = 0;
@@ -40,7 +41,7 @@ void AddGaussianNoise(cv::Mat* image, const SequenceOptions& options, int frame)
   }
 }
 
-/// The path with a stop in it for the turn.
+/// Returns the path with a stop inserted for the turn.
 std::vector<SE3> InsertTurn(const std::vector<SE3>& path, const TimeSpan& turn,
                             double frame_rate_hz) {
   std::vector<SE3> poses;

@@ -20,27 +20,26 @@
 
 namespace corvo::synthetic {
 
-/// How to film a scene. The scenes themselves and the paths through them are fixed: a shorter or
-/// smaller sequence shows the same.
+/// Options for rendering a sequence. The scenes and the paths through them are fixed and do not
+/// depend on the length or the size of a sequence.
 struct SequenceOptions {
   int frames = 300;
-  int width = 0;           ///< px; the height and the focal length follow. 0: the scene's own size.
+  int width = 0;           ///< px; height and focal length scale with it. 0 for the scene's size.
   double noise_sigma = 0;  ///< Standard deviation of the Gaussian noise added to each pixel, gray.
   std::uint64_t noise_seed = 1;
   Effects effects;
-  TimeSpan
-      turn;  ///< The camera stands, and turns about its own center 40° to either side and back.
+  TimeSpan turn;  ///< The camera stops and rotates about its center by 40° to either side and back.
   std::optional<CameraParameters> camera;  ///< Overrides the scene's camera and `width`.
 
-  /// Throws corvo::Error naming the first field out of range.
+  /// Throws corvo::Error with the name of the first field that is out of range.
   void Validate() const;
 };
 
-/// What one camera films on its way through a scene.
+/// The images and poses of one camera on a path through a scene.
 class Sequence {
  public:
-  /// `scene_from_camera`: one pose a frame; where the camera stands for a turn, the last ones stay
-  /// unused. Throws corvo::Error on options out of range.
+  /// `scene_from_camera` has one pose per frame. The last poses remain unused if the camera stops
+  /// for a turn. Throws corvo::Error if the options are out of range.
   Sequence(std::string name, std::shared_ptr<const Scene> scene, const Camera& camera,
            double frame_rate_hz, const std::vector<SE3>& scene_from_camera,
            const SequenceOptions& options);
@@ -52,20 +51,23 @@ class Sequence {
   const SequenceOptions& options() const { return options_; }
   const Scene& scene() const { return *scene_; }
 
-  /// Exact truth, a pose a frame, from 0 ns on. The world is the first camera.
+  /// Returns the exact ground truth, one pose per frame, starting at 0 ns. The world frame is that
+  /// of the first camera.
   const PoseSequence& poses() const { return poses_; }
   SE3 scene_from_camera(int frame) const;
 
-  /// Time of a frame, or of a moment between two, s.
+  /// Returns the time of a frame, or of a moment between two frames, s.
   double SecondsAt(double frame) const { return frame / frame_rate_hz_; }
 
-  /// 8-bit gray. The same bytes whenever and in whatever order frames are rendered.
+  /// Returns the image, 8-bit gray. It does not depend on the order in which frames are rendered.
   cv::Mat Render(int frame) const;
-  /// CV_32FC1: z in the camera of what each pixel's center shows, m; 0 for nothing.
+  /// Returns the depth image, CV_32FC1: the z coordinate in the camera frame of the surface at each
+  /// pixel's center, m; 0 if there is none.
   cv::Mat RenderDepth(int frame) const;
 
  private:
-  /// Of a moment between two frames, in between; before the first and after the last, theirs.
+  /// Returns the pose at a moment by interpolation between frames. It is constant before the first
+  /// and after the last frame.
   SE3 PoseAt(double frame) const;
   std::vector<Quad> MovingQuadsAt(double frame) const;
   cv::Mat RenderMoment(double frame) const;
@@ -81,23 +83,23 @@ class Sequence {
   PoseSequence poses_;
 };
 
-/// A walk round a furnished room of 6 x 5 x 3 m: a loop of about 9 m in 300 frames of 640x480 at
-/// 30 Hz, hand-held, looking about.
+/// Makes a hand-held walk around a furnished room of 6 x 5 x 3 m: a loop of about 9 m in 300 frames
+/// of 640x480 at 30 Hz, with a changing viewing direction.
 Sequence MakeRoom(const SequenceOptions& options = {});
 
-/// A drive along a street of houses with gentle bends and right angles, 0.5 to 0.8 m a frame,
-/// 1241x376 at 10 Hz. As long as the frames ask for.
+/// Makes a drive along a street of houses with gentle bends and right angles, 0.5 to 0.8 m per
+/// frame, 1241x376 at 10 Hz. The street is as long as the number of frames requires.
 Sequence MakeStreet(const SequenceOptions& options = {});
 
-/// One plane fills the view: the camera moves back and forth before a painted wall. 640x480 at 30
-/// Hz.
+/// Makes a sequence in which one plane fills the view: the camera moves back and forth in front of
+/// a painted wall. 640x480 at 30 Hz.
 Sequence MakePlanarWall(const SequenceOptions& options = {});
 
-/// A walk down a corridor with little texture: plain walls, doors, lamps, and a notice here and
-/// there; 25 m back and forth. 640x480 at 30 Hz, hand-held.
+/// Makes a hand-held walk down a corridor with little texture: plain walls, doors, lamps, and a few
+/// notices; 25 m back and forth, 640x480 at 30 Hz.
 Sequence MakeCorridor(const SequenceOptions& options = {});
 
-/// The room, from a camera that turns about its own center and does not move. 640x480 at 30 Hz.
+/// Makes a sequence of the room with pure rotation about the camera's center, 640x480 at 30 Hz.
 Sequence MakePureRotation(const SequenceOptions& options = {});
 
 }  // namespace corvo::synthetic

@@ -16,11 +16,11 @@ namespace corvo::synthetic {
 namespace {
 
 constexpr double kFrameRateHz = 10;
-constexpr double kStride = 0.8;         ///< Between frames on a straight, m.
+constexpr double kStride = 0.8;         ///< Distance between frames on a straight, m.
 constexpr double kCameraHeight = 1.65;  ///< m
-constexpr double kSight = 250;          ///< The street goes on this far beyond the last frame, m.
-constexpr double kKerb = 5.2;           ///< From the middle of the road to the pavement, m.
-constexpr double kShortest = 450;       ///< Even a short sequence shows a street this long, m.
+constexpr double kSight = 250;          ///< Length of the street beyond the last frame, m.
+constexpr double kKerb = 5.2;      ///< Distance from the middle of the road to the pavement, m.
+constexpr double kShortest = 450;  ///< Minimum length of the street, m.
 
 CameraParameters StreetCamera() {
   CameraParameters camera;
@@ -32,8 +32,8 @@ CameraParameters StreetCamera() {
   return camera;
 }
 
-/// Lines a path with houses, trees, poles and parked vehicles. What stands at a place depends on
-/// the place only, not on how long the street is.
+/// Lines a path with houses, trees, poles and parked vehicles. The objects at a place do not depend
+/// on the length of the street.
 class StreetBuilder {
  public:
   explicit StreetBuilder(const StreetPath& path) : path_(path) {}
@@ -81,7 +81,7 @@ class StreetBuilder {
     scene_->AddLit(ground);
   }
 
-  /// Whether a rectangle about `center` keeps `margin` from the middle of the road.
+  /// Returns whether a rectangle around `center` keeps `margin` from the middle of the road.
   bool IsClear(const Eigen::Vector2d& center, double yaw, const Eigen::Vector2d& size, double along,
                double margin) const {
     const Eigen::Rotation2Dd turn(yaw);
@@ -94,7 +94,8 @@ class StreetBuilder {
     return true;
   }
 
-  /// Where `meters` more along the line `left` meters beside the road lead.
+  /// Returns the distance along the road after `meters` more along the parallel line, `left` meters
+  /// beside the road.
   double Advance(double along, double left, double meters) const {
     for (double done = 0; done < meters && along < path_.length(); along += 0.5) {
       done += 0.5 * std::max(0.1, 1 - left * path_.At(along).curvature);
@@ -142,7 +143,8 @@ class StreetBuilder {
     }
   }
 
-  /// In pieces that overlap a little: every second one is higher, so that no two surfaces coincide.
+  /// Adds a pavement of slightly overlapping pieces. Every second piece is higher, so that no two
+  /// surfaces coincide.
   void AddPavement(int side) {
     constexpr double kPiece = 2.0, kBreadth = 2.6;
     for (int i = 0; i * kPiece < path_.length(); ++i) {
@@ -162,7 +164,7 @@ class StreetBuilder {
     }
   }
 
-  /// Objects about every `spacing` meters, `aside` from the middle of the road.
+  /// Adds an object about every `spacing` meters, `aside` from the middle of the road.
   void AddRow(int side, double aside, double spacing, std::uint64_t seed, AddObject add) {
     for (int i = 0; i * spacing < path_.length(); ++i) {
       Random random(Hash(seed, side, i));
@@ -230,7 +232,7 @@ class StreetBuilder {
   Material asphalt_, paving_, foliage_, wood_, poster_;
 };
 
-/// Distances along the road at the frames: slower in bends.
+/// Returns the distances along the road at the frames. The car is slower in bends.
 std::vector<double> Drive(int frames) {
   const StreetPath path(kStride * frames + 1);
   std::vector<double> distances = {0};
@@ -241,7 +243,7 @@ std::vector<double> Drive(int frames) {
   return distances;
 }
 
-/// The camera on a car that rocks a little.
+/// Returns the viewpoint of the camera on a slightly rocking car.
 Viewpoint DriveAt(const StreetPath::Place& place, double distance) {
   Viewpoint viewpoint;
   viewpoint.position << place.position, kCameraHeight + 0.012 * std::sin(0.9 * distance);

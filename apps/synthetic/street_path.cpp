@@ -36,7 +36,8 @@ constexpr std::array<Section, 14> kPeriod = {{
     {30, 0},
 }};
 
-/// Heading after `distance` meters if the curvature jumped from section to section.
+/// Returns the heading after `distance` meters of a path whose curvature is constant in each
+/// section.
 double AngularHeading(double distance) {
   double heading = 0;
   for (std::size_t i = 0; distance > 0; i = (i + 1) % kPeriod.size()) {

@@ -7,9 +7,9 @@
 
 namespace corvo::synthetic {
 
-/// The middle of a road in the plane: straights, gentle bends to either side, and right angles of
-/// 12 m radius that turn left and right alternately, so that it never meets itself. Curvature is
-/// continuous.
+/// The center line of a road in the plane: straights, gentle bends to either side, and right angles
+/// of 12 m radius, alternately left and right, so that the road never crosses itself. The curvature
+/// is continuous.
 class StreetPath {
  public:
   struct Place {
@@ -17,7 +17,7 @@ class StreetPath {
     double heading = 0;                                  ///< rad, from x towards y.
     double curvature = 0;                                ///< 1/m, positive to the left.
 
-    /// The point `left` meters beside the middle.
+    /// Returns the point `left` meters to the left of the center line.
     Eigen::Vector2d Inflated(double left) const;
   };
 
@@ -25,14 +25,15 @@ class StreetPath {
   explicit StreetPath(double length);
 
   double length() const;
-  /// After `distance` meters, clamped to the road.
+  /// Returns the place after `distance` meters, clamped to the road.
   Place At(double distance) const;
 
-  /// From a point to the nearest place of the road between two distances along it, m.
+  /// Returns the distance from a point to the nearest place of the road between two distances along
+  /// it, m.
   double Clearance(const Eigen::Vector2d& point, double from, double to) const;
 
  private:
-  std::vector<Place> places_;  ///< Every kStep meters.
+  std::vector<Place> places_;  ///< Places every kStep meters.
 };
 
 }  // namespace corvo::synthetic

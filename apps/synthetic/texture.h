@@ -8,7 +8,7 @@
 
 namespace corvo::synthetic {
 
-/// A square gray image of 2^n texels a side that repeats in both directions, row by row.
+/// A square gray image of 2^n texels on each side, row by row, that repeats in both directions.
 struct Canvas {
   explicit Canvas(int side, std::uint8_t value = 128);
 
@@ -32,8 +32,9 @@ class Texture {
  public:
   explicit Texture(Canvas finest);
 
-  /// Mean gray over the parallelogram spanned by the footprint vectors `dx`, `dy` (texels per
-  /// pixel) about `position` (texels): up to kMaxTaps trilinear samples along the longer one.
+  /// Returns the mean gray over the parallelogram spanned by the footprint vectors `dx`, `dy`
+  /// (texels per pixel) around `position` (texels), from up to kMaxTaps trilinear samples along the
+  /// longer vector.
   float Sample(const Eigen::Vector2d& position, const Eigen::Vector2d& dx,
                const Eigen::Vector2d& dy) const;
 

@@ -12,10 +12,11 @@ namespace {
 
 struct Prediction {
   cv::Point2d pixel;
-  double scale = 1;  ///< Square root of the area that a pixel's surroundings are stretched to.
+  double scale = 1;  ///< Square root of the local change of area.
 };
 
-/// Where a homography takes a pixel. The area is its Jacobian's determinant, det(H) / w^3.
+/// Predicts the pixel and scale of a keypoint under a homography. The change of area is the
+/// determinant of the Jacobian, det(H) / w^3.
 Prediction Predict(const cv::Matx33d& homography, const orb::Keypoint& keypoint) {
   const cv::Vec3d mapped = homography * cv::Vec3d(keypoint.x, keypoint.y, 1);
   const double w = mapped[2];
@@ -23,13 +24,13 @@ Prediction Predict(const cv::Matx33d& homography, const orb::Keypoint& keypoint)
   return {{mapped[0] / w, mapped[1] / w}, std::sqrt(area)};
 }
 
-/// Octaves [min, max]; none where max < min.
+/// The octaves [min, max]; empty if max < min.
 struct OctaveRange {
   int min = 0;
   int max = -1;
 };
 
-/// Those whose scale is within a level of `scale`.
+/// Returns the octaves whose scale is within one level of `scale`.
 OctaveRange OctavesNear(double scale, std::span<const double> octave_scales) {
   const double factor = octave_scales.size() > 1 ? octave_scales[1] : 1.0;
   OctaveRange range{static_cast<int>(octave_scales.size()), -1};
@@ -42,7 +43,8 @@ OctaveRange OctavesNear(double scale, std::span<const double> octave_scales) {
   return range;
 }
 
-/// Of the candidates the nearest to a pixel, in px of its own level, within 2.
+/// Returns the candidate nearest to a pixel within 2 px of the candidate's own level, or
+/// std::nullopt if there is none.
 std::optional<int> NearestOf(std::span<const int> candidates, const cv::Point2d& pixel,
                              std::span<const orb::Keypoint> keypoints,
                              std::span<const double> octave_scales) {

@@ -19,7 +19,7 @@ cv::Point2d Apply(const cv::Matx33d& homography, double x, double y) {
   return {mapped[0] / mapped[2], mapped[1] / mapped[2]};
 }
 
-/// About the image's center, which goes to the origin.
+/// Returns a random homography about the image's center, which it maps to the origin.
 cv::Matx33d RandomHomography(cv::Size size, Random& random) {
   constexpr int kDirections = 3600;
   constexpr double kMaxShear = 0.2;
@@ -37,7 +37,7 @@ cv::Matx33d RandomHomography(cv::Size size, Random& random) {
   return rotation * affine * perspective * centring;
 }
 
-/// The box around an image that a homography has moved.
+/// Returns the bounding box of an image transformed by a homography.
 cv::Rect2d BoxAround(const cv::Matx33d& homography, cv::Size size) {
   cv::Point2d low = Apply(homography, 0, 0);
   cv::Point2d high = low;
@@ -66,7 +66,7 @@ cv::Mat Warp(const cv::Mat& image, const cv::Matx33d& view_from_image, cv::Size 
   return view;
 }
 
-/// Nearly normal, of standard deviation 1: the sum of eight bytes.
+/// Returns a nearly normal sample of standard deviation 1, from the sum of eight bytes.
 double SampleNoise(Random& random) {
   constexpr double kMean = 8 * 127.5;
   constexpr double kSigma = 209.02;  // sqrt(8 (256^2 - 1) / 12)
@@ -75,7 +75,7 @@ double SampleNoise(Random& random) {
   return (sum - kMean) / kSigma;
 }
 
-/// Other exposure, and noise.
+/// Changes the exposure and adds noise.
 void ChangeGray(Random& random, cv::Mat& view) {
   const double gain = random.Uniform(0.75, 1.33);
   const double offset = random.Uniform(-20, 20);
@@ -92,7 +92,7 @@ void ChangeGray(Random& random, cv::Mat& view) {
 }  // namespace
 
 TrainingView MakeTrainingView(const cv::Mat& image, std::uint64_t seed) {
-  constexpr double kLeastBlur = 0.3;  // px; less changes nothing.
+  constexpr double kLeastBlur = 0.3;  // px; less blur has no effect.
   Random random(seed);
   const cv::Matx33d centered = RandomHomography(image.size(), random);
   const cv::Rect2d box = BoxAround(centered, image.size());

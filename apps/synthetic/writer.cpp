@@ -24,13 +24,13 @@ void WriteImage(const fs::path& file, const cv::Mat& image) {
   }
 }
 
-/// Exact: 0.033333333.
+/// Returns the time in seconds with all nine decimals: 0.033333333.
 std::string Seconds(TimeNs time_ns) {
   return fmt::format("{}.{:09}", time_ns / 1000000000, time_ns % 1000000000);
 }
 
-/// Makes sure that writing into the folder destroys nobody's work, and removes what an earlier
-/// sequence left there.
+/// Creates the folder and removes the files of an earlier sequence in it. Throws corvo::Error if it
+/// contains other files, unless `force` is set.
 void ClaimFolder(const fs::path& folder, bool force) {
   if (fs::exists(folder) && !fs::is_directory(folder)) {
     throw Error(fmt::format("{}: is not a folder", folder.string()));
@@ -42,10 +42,10 @@ void ClaimFolder(const fs::path& folder, bool force) {
       fs::remove_all(folder / name);
     }
   } else if (!fs::is_empty(folder) && !force) {
-    throw Error(fmt::format(
-        "{}: holds files that are not a synthetic sequence; choose another folder, or use --force "
-        "to overwrite",
-        folder.string()));
+    throw Error(
+        fmt::format("{}: contains files that are not a synthetic sequence; choose another folder, "
+                    "or use --force to overwrite them",
+                    folder.string()));
   }
 }
 
@@ -77,7 +77,7 @@ std::string TumPose(const TimedPose& pose) {
                      q.y(), q.z(), q.w());
 }
 
-/// The upper three rows of the matrix, row by row.
+/// Returns the entries of the 3x4 matrix, row by row.
 std::string KittiRow(const Eigen::Matrix<double, 3, 4>& matrix) {
   std::vector<double> entries;
   for (int i = 0; i < 12; ++i) entries.push_back(matrix(i / 4, i % 4));
@@ -95,16 +95,16 @@ void WriteTumTexts(const Sequence& sequence, const fs::path& folder) {
   WriteText(folder / "groundtruth.txt", truth);
 }
 
-/// Throws where the layout has no words for the camera.
+/// Throws corvo::Error if the layout cannot represent the camera.
 void CheckLayout(const CameraParameters& camera, Layout layout) {
   const bool pinhole = camera.model == CameraModel::kPinhole;
   const bool distorted = !pinhole || camera.k1 != 0 || camera.k2 != 0 || camera.p1 != 0 ||
                          camera.p2 != 0 || camera.k3 != 0;
   if (layout == Layout::kKitti && distorted) {
-    throw Error("layout is kitti, whose camera has no distortion; this one has");
+    throw Error("the layout kitti cannot represent a camera with distortion");
   }
   if (layout == Layout::kEuroc && camera.model == CameraModel::kFov) {
-    throw Error("layout is euroc, whose camera is pinhole-radtan or kb4; this one is fov");
+    throw Error("the layout euroc supports pinhole-radtan and kb4 cameras, not fov");
   }
 }
 

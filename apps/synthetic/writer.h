@@ -15,13 +15,14 @@ enum class Layout {
            ///< state_groundtruth_estimate0/data.csv}.
 };
 
-/// Writes the images and the truth of a sequence, `camera.yaml` (corvo's camera file) and
-/// `synthetic.yaml` (what was rendered, by which the folder is known again). `progress`, if given,
-/// is called with the number of frames done.
+/// Writes the images and the ground truth of a sequence, `camera.yaml` (corvo's camera file) and
+/// `synthetic.yaml` (the options of the rendering, which also marks the folder). `progress`, if
+/// given, is called with the number of frames written.
 ///
-/// A sequence that was written here before is replaced. Any other folder must be empty or absent,
-/// unless `force`: then files of the same names are overwritten. Throws corvo::Error otherwise,
-/// where the layout cannot describe the camera, and where nothing can be written.
+/// A sequence that was written to the folder before is replaced. Otherwise the folder must be empty
+/// or absent, unless `force` is set, with which files of the same names are overwritten. Throws
+/// corvo::Error if the folder contains other files, if the layout cannot represent the camera, or
+/// if a file cannot be written.
 void WriteSequence(const Sequence& sequence, const std::filesystem::path& folder, Layout layout,
                    bool force = false, const std::function<void(int)>& progress = nullptr);
 

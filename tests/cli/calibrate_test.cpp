@@ -59,7 +59,7 @@ TEST_F(Calibrate, WritesNothingWhereNothingCanBeTracked) {
   WriteFolder(folder_ / "noise", 5);
   const CommandResult result = RunCorvo({"calibrate", folder_ / "noise", "-o", camera_});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("no input could be tracked: nothing is written"));
+  EXPECT_THAT(result.err, HasSubstr("no input could be tracked; nothing was written"));
   EXPECT_FALSE(fs::exists(camera_));
 }
 

@@ -33,7 +33,7 @@ TEST(CandidateReportTest, WhatTheMotionTellsNeedsNoWarning) {
 
 TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.05, 1, 1})),
-              ElementsAre(HasSubstr("focal length (known to 5.0%): turn while moving")));
+              ElementsAre(HasSubstr("focal length (standard deviation 5.0%): turn while ")));
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.005, 12, 1})),
               ElementsAre(HasSubstr("principal point")));
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kFov, {0.005, 1, 1, 0.9})),
@@ -57,7 +57,7 @@ TEST(CandidateReportTest, MarksTheSelectedModel) {
   const std::string text = CandidatesText(candidates, 0);
   EXPECT_THAT(text, HasSubstr("\n* pinhole           3 "));
   EXPECT_THAT(text, HasSubstr(" 1234.5 "));
-  EXPECT_THAT(text, HasSubstr("\n  fov               4 not found\n"));
+  EXPECT_THAT(text, HasSubstr("\n  fov               4 not estimated\n"));
 }
 
 }  // namespace

@@ -102,10 +102,12 @@ TEST_F(Eval, ComparesTwoKittiFilesRowByRow) {
 }
 
 TEST_F(Eval, WantsTimesForOneKittiFile) {
-  ExpectError(RunCorvo({"eval", estimate_, kitti_}), "kitti.txt: KITTI format has no times; give");
+  ExpectError(RunCorvo({"eval", estimate_, kitti_}),
+              "kitti.txt: KITTI format has no timestamps; give");
   EXPECT_EQ(Measure({estimate_, kitti_, "--times", times_})["pairs"], kCount);
   WriteText(times_, "0\n1\n");
-  ExpectError(RunCorvo({"eval", estimate_, kitti_, "--times", times_}), "2 times for 12 poses");
+  ExpectError(RunCorvo({"eval", estimate_, kitti_, "--times", times_}),
+              "2 timestamps for 12 poses");
 }
 
 TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
@@ -121,7 +123,8 @@ TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
   WriteText(folder_ / "result/groundtruth.tum", truth_text_);
   EXPECT_EQ(Measure({folder_ / "result"})["pairs"], kCount);
   ExpectError(RunCorvo({"eval", estimate_}), "no ground truth: give GT");
-  ExpectError(RunCorvo({"eval", estimate_, folder_ / "kitti"}), "kitti: no ground truth where");
+  ExpectError(RunCorvo({"eval", estimate_, folder_ / "kitti"}),
+              "kitti: no ground truth in the layout");
 }
 
 TEST_F(Eval, ComparesWhatIsWithinHalfAFrame) {
@@ -149,7 +152,7 @@ TEST_F(Eval, SelectsFramesByStateAndSegment) {
   EXPECT_EQ(Measure({run, truth_, "--states", "tracking,initializing"})["pairs"], kCount);
   EXPECT_EQ(Measure({run, truth_, "--segment", "1"})["pairs"], kCount - 9);
   EXPECT_EQ(Measure({run, truth_, "--segment", "0", "--states", "tracking"})["pairs"], 5);
-  ExpectError(RunCorvo({"eval", run, truth_, "--states", "flying"}), "\"flying\" is no state");
+  ExpectError(RunCorvo({"eval", run, truth_, "--states", "flying"}), "\"flying\" is not a state");
   ExpectError(RunCorvo({"eval", estimate_, truth_, "--states", "tracking"}), "frames.csv");
   WriteText(folder_ / "result/frames.csv", "index\n");
   ExpectError(RunCorvo({"eval", run, truth_, "--states", "tracking"}), "no column timestamp");
@@ -181,7 +184,7 @@ TEST_F(Eval, NamesBadLines) {
   WriteText(estimate_, "1 2 3\n");
   ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum:1: 3 columns");
   WriteText(estimate_, "# nothing\n");
-  ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum: holds no poses");
+  ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum: contains no poses");
 }
 
 TEST_F(Eval, RefusesTrajectoriesOfDifferentTimes) {

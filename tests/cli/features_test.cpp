@@ -85,7 +85,7 @@ TEST_F(FeatureCommands, ResultsOfTheSameNameAreRefused) {
   WriteImage(folder_ / "other/a.png", TinyImage(2));
   const CommandResult result = RunCorvo({"features", a_, folder_ / "other/a.png", "-o", out_});
   EXPECT_EQ(result.exit_code, kBadInput);
-  EXPECT_THAT(result.err, HasSubstr("the results of both would be a_features"));
+  EXPECT_THAT(result.err, HasSubstr("both results would be named a_features"));
   EXPECT_FALSE(fs::exists(out_));
 }
 
@@ -102,7 +102,7 @@ TEST_F(FeatureCommands, MatchesAreDrawnListedAndCounted) {
   const CommandResult result = RunCorvo({"match", a_, b_, "-o", out_});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("a.png: 1000 features\n"));
-  EXPECT_THAT(result.out, HasSubstr(" agree with a homography\n"));
+  EXPECT_THAT(result.out, HasSubstr(" inliers of a homography\n"));
   const std::string table = ReadText(out_ / "matches.csv");
   EXPECT_EQ(Line(table, 0), "first,second,first_x,first_y,second_x,second_y,distance,inlier");
   EXPECT_GT(CountLines(table), 200);
@@ -120,7 +120,7 @@ TEST_F(FeatureCommands, ImagesWithoutFeaturesHaveNoHomography) {
   WriteImage(folder_ / "gray.png", cv::Mat(150, 200, CV_8UC1, cv::Scalar(128)));
   const CommandResult result = RunCorvo({"match", a_, folder_ / "gray.png", "-o", out_});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("\n0 matches, 0 agree with a homography\n"));
+  EXPECT_THAT(result.out, HasSubstr("\n0 matches, 0 inliers of a homography\n"));
   EXPECT_EQ(CountLines(ReadText(out_ / "matches.csv")), 1);
   EXPECT_FALSE(fs::exists(out_ / "homography.txt")) << "is an earlier result's";
 }

@@ -79,8 +79,9 @@ TEST_F(GroundTruth, OfTumViIsMovedToTheCamera) {
 
 TEST_F(GroundTruth, OfTheBodyNeedsTheCamerasPlace) {
   const fs::path file = Add("mav0/state_groundtruth_estimate0/data.csv", kBodyLine);
-  EXPECT_THAT(ErrorOf([&] { ReadGroundTruth(file, {}); }),
-              AllOf(HasSubstr("data.csv: holds the body's poses"), HasSubstr("cam0/sensor.yaml")));
+  EXPECT_THAT(
+      ErrorOf([&] { ReadGroundTruth(file, {}); }),
+      AllOf(HasSubstr("data.csv: contains poses of the body"), HasSubstr("cam0/sensor.yaml")));
   Add("mav0/cam0/sensor.yaml", "T_BS: [1, 2]\n");
   EXPECT_THAT(ErrorOf([&] { ReadGroundTruth(file, {}); }),
               HasSubstr("sensor.yaml: T_BS has 2 numbers"));

@@ -72,7 +72,7 @@ TEST(FolderSequence, NamesWhatIsWrongWithTheInput) {
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOfListing(folder / "missing"), HasSubstr("missing: no such folder"));
   EXPECT_THAT(ErrorOfListing(folder / "file.txt"), HasSubstr("file.txt: not a folder"));
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no images"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("contains no images"));
 }
 
 TEST(KittiSequence, ReadsTimesAndCalibration) {
@@ -111,10 +111,10 @@ TEST(KittiSequence, WantsOneAscendingTimeAImage) {
   TempFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "times.txt", "0\n0.1\n");
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("2 times for the 3 images"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("2 timestamps for the 3 images"));
   WriteText(folder / "times.txt", "0\n0.1\n0.1\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
-              AllOf(HasSubstr("000002.png"), HasSubstr("does not lie after 100000000 ns")));
+              AllOf(HasSubstr("000002.png"), HasSubstr("is not later than 100000000 ns")));
   WriteText(folder / "times.txt", "0\nsoon\n0.2\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("times.txt:2: 'soon'"));
 }
@@ -155,7 +155,7 @@ TEST(EurocSequence, NamesBadFiles) {
   const std::filesystem::path cam0 = folder / "mav0/cam0";
   WriteText(cam0 / "sensor.yaml", "resolution: [96, 64]\ncamera_model: fisheye\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
-              HasSubstr("sensor.yaml: camera_model is 'fisheye'; supported is pinhole"));
+              HasSubstr("sensor.yaml: camera_model is 'fisheye'; only pinhole is supported"));
   std::string sensor = test::EurocSensor();
   sensor.replace(sensor.find("[96"), 3, "[-9");
   WriteText(cam0 / "sensor.yaml", sensor);
@@ -191,7 +191,7 @@ TEST(TumSequence, NamesMissingImagesAndBadLines) {
   WriteText(folder / "rgb.txt", "# c\n\n1.5\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("rgb.txt:3: '1.5'"));
   WriteText(folder / "rgb.txt", "# nothing\n");
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("holds no images"));
+  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("contains no images"));
 }
 
 TEST(ImageSource, HandsOutEveryImageOnce) {

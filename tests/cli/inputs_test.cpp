@@ -125,9 +125,10 @@ TEST(Video, NamesAFileThatIsNone) {
   TempFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOf([&] { Open(folder / "file.txt"); }),
-              HasSubstr("file.txt: not a folder of images, nor a video"));
+              HasSubstr("file.txt: neither a folder of images nor a video"));
   test::WriteFolder(folder.path(), 1);
-  EXPECT_THAT(ErrorOf([&] { Open(folder / "0.png"); }), HasSubstr("0.png: one image; give its"));
+  EXPECT_THAT(ErrorOf([&] { Open(folder / "0.png"); }),
+              HasSubstr("0.png: is a single image; give its"));
 }
 
 TEST(CameraInput, NamesACameraThatIsNotThere) {
@@ -195,8 +196,9 @@ TEST(GrayImage, WeighsColors) {
 }
 
 TEST(GrayImage, RefusesWhatIsNoImageOfGrayLevels) {
-  EXPECT_THAT(ErrorOf([] { ToGray(cv::Mat(8, 8, CV_32FC1), "depth.exr"); }),
-              HasSubstr("depth.exr: an image of type CV_32FC1; allowed are 8 and 16 bits"));
+  EXPECT_THAT(
+      ErrorOf([] { ToGray(cv::Mat(8, 8, CV_32FC1), "depth.exr"); }),
+      HasSubstr("depth.exr: images of type CV_32FC1 are not supported, only 8 and 16 bits"));
 }
 
 TEST(GrayImage, NamesATruncatedImage) {
@@ -257,14 +259,14 @@ TEST(TumMonoSequence, NamesBadFiles) {
   EXPECT_THAT(error(), HasSubstr("images.zip: unpack it"));
   WriteTumMono(folder.path(), 2);
   WriteText(folder / "times.txt", "00000 1.5 0.01\n");
-  EXPECT_THAT(error(), HasSubstr("times.txt: 1 times for the 2 images"));
+  EXPECT_THAT(error(), HasSubstr("times.txt: 1 timestamps for the 2 images"));
   WriteText(folder / "times.txt", "00000 1.5 0.01\n00007 1.6\n");
   EXPECT_THAT(error(), AllOf(HasSubstr("times.txt:2"), HasSubstr("00001.jpg")));
   WriteTumMono(folder.path(), 2);
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5\n96 64\n");
   EXPECT_THAT(error(), HasSubstr("camera.txt:1: '0.5 0.75 0.5 0.5' is not 'fx fy cx cy omega'"));
   WriteText(folder / "camera.txt", "48 48 47 31 0.9\n96 64\n");
-  EXPECT_THAT(error(), AllOf(HasSubstr("camera.txt:1"), HasSubstr("shares of the image's")));
+  EXPECT_THAT(error(), AllOf(HasSubstr("camera.txt:1"), HasSubstr("fractions of the image's")));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 9\n96 64\n");
   EXPECT_THAT(error(), HasSubstr("camera.txt: camera.omega is 9"));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n");
@@ -379,7 +381,7 @@ TEST_F(PreparedInputs, AFolderHasAMaskForEachImageByName) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(images[i].mask.at<std::uint8_t>(0, 0), 20 * i);
   fs::remove(folder_ / "masks/4.pgm");
   EXPECT_THAT(ErrorOf([&] { Prepared(); }),
-              AllOf(HasSubstr("masks: holds no mask for"), HasSubstr("4.png")));
+              AllOf(HasSubstr("masks: contains no mask for"), HasSubstr("4.png")));
 }
 
 TEST_F(PreparedInputs, AFolderHasAMaskForEachImageInOrder) {
@@ -427,7 +429,7 @@ TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {
   WriteText(folder_ / "kitti.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   arguments_.truth = folder_ / "kitti.txt";
   EXPECT_THAT(ErrorOf([&] { ReadInputs(arguments_, Interruption()); }),
-              HasSubstr("kitti.txt: KITTI format has no times"));
+              HasSubstr("kitti.txt: KITTI format has no timestamps"));
 }
 
 TEST(ShippedCameras, AreThoseOfTheDatasets) {

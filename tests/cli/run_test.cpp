@@ -77,7 +77,8 @@ TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
   EXPECT_EQ(result.exit_code, kNeverInitialized);
   EXPECT_THAT(result.out, AllOf(HasSubstr("never initialized"), HasSubstr("5 frames, 0 posed"),
                                 HasSubstr("\n5 of 5 frames have no pose:\n")));
-  EXPECT_THAT(result.out, ContainsRegex("\n  too_few_matches +4  #+ +the images change too much "));
+  EXPECT_THAT(result.out,
+              ContainsRegex("\n  too_few_matches +4  #+ +consecutive images change too much"));
   EXPECT_FALSE(fs::exists(result_ / "trajectory.kitti"));
   EXPECT_EQ(Summary()["trajectory_kitti"], "not written: 5 of 5 frames have no pose");
   EXPECT_THAT(ReadText(result_ / "trajectory.tum"), testing::MatchesRegex("(#.*\n)?"));
@@ -95,7 +96,7 @@ TEST_F(Run, WithoutAPoseHasNothingToEvaluate) {
   WriteText(folder_ / "gt.txt", "0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n");
   const CommandResult result = RunHere({"--gt", folder_ / "gt.txt"});
   EXPECT_EQ(result.exit_code, kNeverInitialized);
-  EXPECT_THAT(result.err, HasSubstr("corvo: warning: no evaluation"));
+  EXPECT_THAT(result.err, HasSubstr("corvo: warning: the trajectory was not evaluated: "));
   EXPECT_FALSE(Summary().contains("evaluation"));
 }
 
@@ -118,7 +119,7 @@ TEST_F(Run, FindsTheTruthInTheDatasetsLayout) {
   RunCorvo(arguments);
   EXPECT_EQ(Summary()["truth"], truth.string());
   WriteText(truth, "7 0 0 0 0 0 0 1\n");
-  EXPECT_THAT(RunCorvo(arguments).err, HasSubstr("corvo: warning: ground truth left out: "));
+  EXPECT_THAT(RunCorvo(arguments).err, HasSubstr("corvo: warning: ground truth ignored: "));
   EXPECT_FALSE(Summary().contains("truth"));
   std::vector<std::string> none = arguments;
   none.insert(none.end(), {"--gt", "none"});
@@ -177,7 +178,7 @@ TEST_F(Run, ReadsTheConfigItWrote) {
 TEST_F(Run, WorksWithoutGnuplot) {
   const CommandResult result = RunCorvoAlone({"run", images_, "--camera", camera_, "-o", result_});
   EXPECT_EQ(result.exit_code, kNeverInitialized);
-  EXPECT_THAT(result.err, HasSubstr("corvo: warning: no trajectory.png"));
+  EXPECT_THAT(result.err, HasSubstr("corvo: warning: trajectory.png was not written"));
   EXPECT_TRUE(fs::exists(result_ / "summary.json"));
   EXPECT_FALSE(fs::exists(result_ / "trajectory.png"));
 }
@@ -216,7 +217,7 @@ TEST_F(Run, RefusesTheFocalSearchWhereItCannotBe) {
 TEST_F(Run, SaysThatImagesDoNotDetermineTheFocalLength) {
   const CommandResult run = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
   EXPECT_EQ(run.exit_code, kNeverInitialized);
-  EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 pairs of images)"));
+  EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 image pairs)"));
   const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // 70 degrees of 96 px.

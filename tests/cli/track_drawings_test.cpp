@@ -61,7 +61,7 @@ TEST(TrackDrawings, NeedAFolder) {
   test::TempFolder folder;
   test::WriteText(folder / "file", "");
   EXPECT_THAT(test::ErrorOf([&] { TrackDrawings images(folder / "file"); }),
-              testing::HasSubstr("file: cannot be made"));
+              testing::HasSubstr("file: cannot be created"));
 }
 
 }  // namespace
