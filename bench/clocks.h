@@ -3,14 +3,13 @@
 
 namespace corvo::bench {
 
-/// Processor time of the calling thread, ms. What else the machine does while it waits is not in
-/// it.
+/// Returns the processor time of the calling thread, ms. It excludes waiting and other threads.
 double ThreadTimeMs();
 
-/// Processor time of all threads of the process, ms.
+/// Returns the processor time of all threads of the process, ms.
 double ProcessTimeMs();
 
-/// Time since some moment, ms.
+/// Returns the monotonic wall time since an arbitrary moment, ms.
 double WallTimeMs();
 
 }  // namespace corvo::bench

@@ -12,13 +12,13 @@
 namespace corvo::bench {
 namespace {
 
-/// One of two contenders at work.
+/// One of two contenders and its times.
 class Timed {
  public:
   Timed(const Work& work, int items, double (*now_ms)())
       : work_(work), now_ms_(now_ms), times_(items) {}
 
-  /// Returns the time of this visit, ms.
+  /// Runs the work on an item and returns its time, ms.
   double Visit(int item) {
     const double start_ms = now_ms_();
     const std::size_t results = work_(item);
@@ -29,7 +29,7 @@ class Timed {
   }
 
   const LeastTimes& times() const { return times_; }
-  /// Summed over all visits.
+  /// Returns the number of results, summed over all visits.
   double results() const { return results_; }
 
  private:

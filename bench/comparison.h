@@ -7,29 +7,29 @@
 
 namespace corvo::bench {
 
-/// Does its work on an item, from 0 on, and returns how many results there are. It keeps what it
-/// can reuse.
+/// A function that processes an item, counted from 0, and returns the number of results. It may
+/// reuse memory between calls.
 using Work = std::function<std::size_t(int item)>;
 
-/// corvo and what it is measured against.
+/// corvo and the baseline that it is compared with.
 struct Contenders {
   Work contender;
   Work baseline;
-  std::string images;  ///< Where those that they work on come from.
+  std::string images;  ///< The source of the images, from ImageSet::Source().
 };
 
 struct Comparison {
   std::string title;
   int items = 0;
-  int threads = 1;  ///< OpenCV's. The time of one is its processor time, that of more wall time.
+  int threads = 1;  ///< OpenCV's. One thread's processor time is measured, else wall time.
   std::function<Contenders()> prepare;  ///< Called once, with the instruction set in use.
 };
 
-/// Registers a comparison with Google Benchmark as "title/instruction_set". An iteration is a visit
-/// to one item by both; who goes first alternates, and with it who finds the item in the cache.
-/// Each item is visited `repeats` times, all others in between, and counts with the least time of
-/// each contender. The counters are those of PairedSummary and the mean number of `results` and of
-/// `baseline_results`.
+/// Registers a comparison with Google Benchmark as "title/instruction_set". In each iteration, both
+/// contenders process one item; their order alternates, so that neither always finds the item in
+/// the cache. Each item is visited `repeats` times, with all other items in between; the least time
+/// of each contender counts. The counters are those of PairedSummary and the mean numbers of
+/// `results` and `baseline_results`.
 void Register(const Comparison& comparison, const std::string& instruction_set, int repeats);
 
 }  // namespace corvo::bench

@@ -15,7 +15,7 @@
 namespace corvo::bench {
 namespace {
 
-constexpr int kMaxSiftImages = 10;  ///< It is slow.
+constexpr int kMaxSiftImages = 10;  ///< cv::SIFT is slow.
 
 struct Task {
   ImageSet& images;
@@ -42,7 +42,7 @@ Work OpenCv(const Task& task, const cv::Ptr<cv::Feature2D>& features) {
   };
 }
 
-/// With its own defaults: scales of 1.2, 8 levels, FAST threshold 20.
+/// Returns cv::ORB with its defaults: 8 levels at a scale factor of 1.2, FAST threshold 20.
 Work OpenCvOrb(const Task& task) { return OpenCv(task, cv::ORB::create(task.num_features)); }
 
 Work OpenCvSift(const Task& task) { return OpenCv(task, cv::SIFT::create(task.num_features)); }

@@ -16,7 +16,7 @@
 namespace corvo::bench {
 namespace {
 
-/// FAST corners with non-maximum suppression, reusing what can be.
+/// Detects FAST corners with non-maximum suppression and reuses its memory.
 struct CorvoFast {
   int threshold;
   orb::FastDetector detector = {};
@@ -34,7 +34,7 @@ struct OpenCvFast {
   void Detect(const cv::Mat& image) { cv::FAST(image, corners, threshold, true); }
 };
 
-/// Both are in row-major order.
+/// Returns whether both have the same corners. Both are in row-major order.
 bool AreEqual(const std::vector<orb::Corner>& corners, const std::vector<cv::KeyPoint>& others) {
   const auto is_at = [](const orb::Corner& corner, const cv::KeyPoint& other) {
     return cv::Point2f(cv::Point(corner.x, corner.y)) == other.pt;

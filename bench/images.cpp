@@ -15,7 +15,7 @@
 namespace corvo::bench {
 namespace {
 
-constexpr int kMosaics = 24;  ///< One starts at each of Oxford's images.
+constexpr int kMosaics = 24;  ///< Maximum number: one starts at each of Oxford's images.
 const cv::Size kFullHd(1920, 1080);
 
 cv::Mat ReadGray(const std::string& file) {
@@ -24,7 +24,7 @@ cv::Mat ReadGray(const std::string& file) {
   return image;
 }
 
-/// The files of the test data that match a pattern of OpenCV's glob, by name.
+/// Returns the files of the test data that match a pattern of cv::glob, sorted by name.
 std::vector<std::string> FindFiles(const std::string& pattern, bool in_subfolders) {
   std::vector<cv::String> files;
   cv::glob(test::DataPath(pattern).string(), files, in_subfolders);
@@ -32,7 +32,7 @@ std::vector<std::string> FindFiles(const std::string& pattern, bool in_subfolder
   return files;
 }
 
-/// Reads images spread evenly over the files that match.
+/// Returns a function that reads images spread evenly over the files that match.
 ImageSet::Maker ReadSpread(const std::string& pattern) {
   return [pattern](int count) {
     const std::vector<std::string> files = FindFiles(pattern, false);
@@ -42,8 +42,8 @@ ImageSet::Maker ReadSpread(const std::string& pattern) {
   };
 }
 
-/// Rows of images, as high as the lowest of them. From one to the next it goes on by seven, to
-/// another scene.
+/// Returns a mosaic of rows of images, cropped to `height`. The index advances by seven from one
+/// image to the next, so that neighbors show different scenes.
 cv::Mat Mosaic(const std::vector<cv::Mat>& images, int height, std::size_t first) {
   cv::Mat mosaic(kFullHd, CV_8UC1);
   const cv::Rect whole({0, 0}, kFullHd);
@@ -81,7 +81,7 @@ std::vector<cv::Mat> RenderSpread(const synthetic::Sequence& sequence, int count
   return images;
 }
 
-/// Images of the synthetic room.
+/// Returns a function that renders images of the synthetic room.
 ImageSet::Maker RenderRoom(cv::Size size) {
   return [size](int count) {
     synthetic::SequenceOptions options;

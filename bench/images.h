@@ -9,21 +9,22 @@
 
 namespace corvo::bench {
 
-/// Gray images of one size, made when they are first asked for and then kept.
+/// Gray images of one size, created at their first use and then kept.
 class ImageSet {
  public:
   using Maker = std::function<std::vector<cv::Mat>(int count)>;
 
-  /// `folder` of the test data has what `read` reads; without it the images are `render`ed.
+  /// `read` reads the images from `folder` of the test data; if that is missing, `render` renders
+  /// them.
   ImageSet(std::string name, int count, std::string folder, Maker read, Maker render);
 
   const std::string& name() const { return name_; }
   int count() const { return count_; }
 
-  /// The folder of the test data, or "synthetic".
+  /// Returns the folder of the test data, or "synthetic".
   std::string Source() const;
 
-  /// The vector stays the same. Throws corvo::Error where an image cannot be read.
+  /// Returns the images, always the same vector. Throws corvo::Error if an image cannot be read.
   const std::vector<cv::Mat>& Images();
 
  private:
@@ -37,7 +38,7 @@ class ImageSet {
   std::vector<cv::Mat> images_;
 };
 
-/// The sizes that are measured.
+/// The image sizes that are measured.
 struct ImageSets {
   ImageSet vga;      ///< 640x480: 7-Scenes, hand-held.
   ImageSet kitti;    ///< 1242x375: KITTI 03, a drive.
@@ -45,7 +46,7 @@ struct ImageSets {
   ImageSet full_hd;  ///< 1920x1080: mosaics of Oxford's images at their own resolution.
 };
 
-/// Up to `max_count` images of each size, spread over the sequences.
+/// Returns up to `max_count` images of each size, spread over the sequences.
 ImageSets MakeImageSets(int max_count);
 
 }  // namespace corvo::bench

@@ -9,7 +9,7 @@
 
 namespace corvo::bench {
 
-/// This machine's best instruction set and, where that is a better one, AVX2.
+/// Returns this machine's best instruction set and, if that is better than AVX2, AVX2 as well.
 inline std::vector<std::string> BestAndAvx2() {
   std::vector<std::string> names = orb::kernels::InstructionSets();
   const auto is_other = [&](const std::string& name) { return name != "AVX2"; };

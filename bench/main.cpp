@@ -24,7 +24,7 @@ Times corvo against OpenCV, image by image, and prints a Markdown table.
 and the options of Google Benchmark: --benchmark_out writes JSON.
 )";
 
-/// Into the JSON's context.
+/// Adds the machine and its instruction sets to the context of the JSON output.
 void DescribeEnvironment() {
   const auto environment = DescribeMachine();
   for (const auto& [key, value] : environment.items()) {

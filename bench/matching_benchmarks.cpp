@@ -21,7 +21,7 @@ namespace {
 constexpr int kNumFeatures = 2000;
 constexpr int kMaxImages = 10;
 
-/// The descriptors of one image.
+/// The descriptors of one image in corvo's and OpenCV's format.
 struct Described {
   std::vector<orb::Descriptor> corvo;
   cv::Mat opencv;
@@ -42,7 +42,8 @@ std::shared_ptr<const DescribedImages> DescribeImages(const std::vector<cv::Mat>
   return described;
 }
 
-/// The image that an image's descriptors are looked for in: the next one, the first at the end.
+/// Returns the image in which the descriptors of image `item` are searched: the next one, or the
+/// first one after the last.
 const Described& Next(const DescribedImages& images, std::size_t item) {
   return images[(item + 1) % images.size()];
 }

@@ -7,8 +7,8 @@
 
 namespace corvo::bench {
 
-/// The value below which `percent` (0 to 100) of the values lie, interpolated between neighbors:
-/// 0 is the least, 50 the median, 100 the greatest. There is at least one value.
+/// Returns the value below which `percent` (0 to 100) of the values lie, interpolated between
+/// neighbors: 0 is the least, 50 the median, 100 the greatest. There is at least one value.
 inline double Percentile(std::vector<double> values, double percent) {
   std::sort(values.begin(), values.end());
   const double position = percent / 100 * static_cast<double>(values.size() - 1);

@@ -23,20 +23,20 @@ namespace corvo::bench {
 inline constexpr std::array<const char*, 6> kStages = {"pyramid",     "FAST",      "selection",
                                                        "orientation", "smoothing", "descriptors"};
 
-/// Processor time of each stage, ms.
+/// The processor time of each stage, ms.
 using StageTimes = std::array<double, kStages.size()>;
 
-/// What orb::Extractor does on one thread with its default options, one stage after the other.
-/// Descriptors are made while their level is smoothed: here it is smoothed before without them,
-/// twice to find it in the cache like them, and their time is the rest.
+/// Runs the stages of orb::Extractor one after the other, on one thread and with default options.
+/// Descriptors are computed while their level is smoothed. Smoothing alone is therefore timed
+/// before, in the second of two passes so that the level is in the cache, and subtracted.
 class StagedExtractor {
  public:
   explicit StagedExtractor(int num_features);
 
-  /// Sets features() to the image's. Returns the time of each stage, over all levels.
+  /// Sets features() to those of the image. Returns the time of each stage, summed over all levels.
   StageTimes Extract(const cv::Mat& image);
 
-  /// By level.
+  /// Returns the features of each level.
   const std::vector<orb::Features>& features() const { return features_; }
 
  private:
@@ -56,8 +56,8 @@ class StagedExtractor {
   std::vector<std::int64_t> areas_;
   std::vector<int> num_corners_;
   std::vector<int> quotas_;
-  std::vector<std::vector<orb::Corner>> corners_;  ///< By level.
-  std::vector<std::vector<int>> chosen_;           ///< By level: indices of corners.
+  std::vector<std::vector<orb::Corner>> corners_;  ///< Corners, by level.
+  std::vector<std::vector<int>> chosen_;           ///< Indices of corners, by level.
   std::vector<orb::Features> features_;
 };
 

@@ -9,7 +9,7 @@
 namespace corvo::bench {
 namespace {
 
-/// Where there is none: the end.
+/// Returns the first row of an instruction set, or the end if there is none.
 std::vector<ComparisonRow>::const_iterator FindInstructionSet(
     const std::vector<ComparisonRow>& rows, const std::string& name) {
   return std::find_if(rows.begin(), rows.end(),
@@ -38,7 +38,7 @@ std::string Head(const std::vector<std::string>& fixed, const std::vector<std::s
   return names + "\n" + rule + "\n";
 }
 
-/// `rows` are those of one title.
+/// Returns the table line of one title, whose rows are `rows`.
 std::string Line(const std::vector<ComparisonRow>& rows,
                  const std::vector<std::string>& instruction_sets) {
   const ComparisonRow& first = rows.front();

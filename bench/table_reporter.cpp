@@ -10,7 +10,7 @@
 namespace corvo::bench {
 namespace {
 
-/// A run's name: "title/instruction_set".
+/// The parts of a run's name "title/instruction_set".
 struct RunName {
   std::string title;
   std::string instruction_set;

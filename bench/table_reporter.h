@@ -9,7 +9,7 @@
 
 namespace corvo::bench {
 
-/// Prints to the error stream what is done, and at the end the tables of all of it.
+/// A reporter that prints progress to the error stream and finally the tables of all runs.
 class TableReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& context) override;

@@ -18,26 +18,26 @@ void from_json(const nlohmann::json& json, CameraEstimate& estimate);
 
 namespace corvo::bench {
 
-/// What odometry made of a recording, and of the camera that it was given.
+/// The accuracy of odometry on a recording and its estimate of the camera.
 struct CameraRun {
-  double ate = 0;  ///< Root mean square after one Sim3, in the truth's unit; NaN: cannot be said.
-  double posed_share = 0;  ///< Of the frames, 0 to 1.
+  double ate = 0;          ///< RMSE after one Sim3 alignment, ground truth's unit; NaN if unknown.
+  double posed_share = 0;  ///< Share of frames with a pose, 0 to 1.
   int segments = 0;
   bool prior_rejected = false;
-  CameraEstimate estimate;  ///< Of the difference from the given camera, at the end.
-  double refined_ate = 0;   ///< After refinement; without one, and where it fails, as before.
-  CameraEstimate refined_estimate;  ///< Likewise.
+  CameraEstimate estimate;          ///< Final estimate of the difference from the given camera.
+  double refined_ate = 0;           ///< ATE after refinement; `ate` if there is none or it fails.
+  CameraEstimate refined_estimate;  ///< Estimate after refinement, else `estimate`.
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CameraRun, ate, posed_share, segments, prior_rejected, estimate,
                                    refined_ate, refined_estimate)
 
-/// The camera is estimated if anything of it is free. `after_frame` is called after each
-/// frame.
+/// Runs odometry on a recording. The camera is estimated if any of its parameters is free.
+/// `after_frame` is called after each frame.
 CameraRun RunWithCamera(const Recording& recording, const CameraPrior& prior,
                         const OdometryOptions& options, bool refine = false,
                         const std::function<void(const Odometry&)>& after_frame = {});
 
-/// Between a process and its child: NaN stays NaN.
+/// Serializes a result for the pipe between a process and its child. NaN stays NaN.
 template <typename Result>
 std::string ToBytes(const Result& result) {
   std::string bytes;

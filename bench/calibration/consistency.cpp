@@ -28,7 +28,7 @@ Eigen::VectorXd DrawOf(const ConsistencyTrial& trial) {
                                            static_cast<Eigen::Index>(trial.draw.size()));
 }
 
-/// What of a run is looked at.
+/// The results of a run at one stage: the members of CameraRun to evaluate.
 struct Stage {
   std::string name;
   double CameraRun::*ate;
@@ -43,7 +43,7 @@ Miss MissOf(const ConsistencyTrial& trial, const Stage& stage) {
   return {estimate.difference - DrawOf(trial), estimate.covariance};
 }
 
-/// The largest entry, each in sigmas of the prior.
+/// Returns the largest absolute entry in standard deviations of the prior.
 double LargestInSigmas(const Eigen::VectorXd& difference) {
   double largest = 0;
   for (Eigen::Index i = 0; i < difference.size(); ++i) {

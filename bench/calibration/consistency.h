@@ -12,26 +12,27 @@
 
 namespace corvo::bench {
 
-/// A film with a camera that is known exactly, run four times.
+/// Four runs on a sequence whose camera is known exactly.
 struct ConsistencyTrial {
   std::string scene;
   int seed = 0;
-  std::vector<double> draw;  ///< By which the camera that is given is wrong.
-  CameraRun fixed;           ///< The true camera, as it is.
-  CameraRun exact;           ///< The true camera is given, and estimated.
-  CameraRun shipped;         ///< The same, with the sigmas of the options.
-  CameraRun wrong;           ///< A wrong camera is given, and estimated.
+  std::vector<double> draw;  ///< Error of the given wrong camera.
+  CameraRun fixed;           ///< The true camera is given and fixed.
+  CameraRun exact;           ///< The true camera is given and estimated.
+  CameraRun shipped;         ///< Like `exact`, with the sigmas of the options.
+  CameraRun wrong;           ///< A wrong camera is given and estimated.
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConsistencyTrial, scene, seed, draw, fixed, exact, shipped,
                                    wrong)
 
-/// The wrong camera misses the true one by a draw from the prior: 1% of the focal length, 0.03 of
-/// k1 and 0.02 of k2, standard deviations, which the odometry is told.
+/// Runs one trial. The wrong camera differs from the true one by a draw from the prior, with
+/// standard deviations of 1% of the focal length, 0.03 of k1 and 0.02 of k2. The odometry is given
+/// this prior.
 ConsistencyTrial RunConsistencyTrial(RenderScene scene, int seed, const OdometryOptions& options,
                                      bool refine);
 
-/// Markdown: whether sigmas are consistent and what that gives, scene by scene and over all; what
-/// comes out where little or nothing tells the camera.
+/// Returns Markdown tables: the consistency of the standard deviations and the effect on the ATE,
+/// by scene and over all, and the estimates in scenes that hardly constrain the camera.
 std::string ConsistencyTables(const std::vector<ConsistencyTrial>& trials, bool refined);
 
 }  // namespace corvo::bench

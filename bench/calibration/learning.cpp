@@ -13,9 +13,9 @@
 namespace corvo::bench {
 namespace {
 
-constexpr double kMinK1 = 0.015, kMaxK1 = 0.032;  ///< Of KITTI's rectified images.
+constexpr double kMinK1 = 0.015, kMaxK1 = 0.032;  ///< Range of k1 on KITTI's rectified images.
 
-/// From which frame on k1 is to be known; 0: of this scenario nothing is asked.
+/// Returns the frame from which k1 must be known, or 0 if the scenario has no requirement.
 int RequiredFrame(const std::string& scenario) {
   if (scenario == "KITTI 03, nominal") return 120;
   return scenario == "KITTI 05, nominal" ? 40 : 0;
@@ -27,7 +27,7 @@ Eigen::Index IndexOfK1(const CameraPrior& prior) {
   return found - prior.free.begin();
 }
 
-/// "0.0172 - 0.0263", of the values from a frame on.
+/// Returns the range of the values from a frame on, such as "0.0172 - 0.0263".
 std::string RangeFrom(const std::vector<double>& values, int frame) {
   if (frame >= static_cast<int>(values.size())) return "-";
   const auto [min, max] = std::minmax_element(values.begin() + frame, values.end());

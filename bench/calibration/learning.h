@@ -14,41 +14,42 @@
 
 namespace corvo::bench {
 
-/// A recorded sequence under a perturbation, its camera given as the dataset ships it.
+/// Runs on a recorded sequence under a perturbation, given the camera that the dataset ships.
 struct LearningTrial {
   std::string scenario;
   std::string perturbation;
   bool is_judged = true;
-  CameraRun fixed;               ///< The camera is taken as it is given.
-  CameraRun estimated;           ///< It is estimated.
-  CameraRun swapped;             ///< It is fixed as another sequence of it has estimated it.
-  std::vector<double> k1;        ///< After each frame, of the estimated run.
-  std::vector<double> k1_sigma;  ///< Likewise, its standard deviation.
+  CameraRun fixed;               ///< The given camera is fixed.
+  CameraRun estimated;           ///< The camera is estimated.
+  CameraRun swapped;             ///< The camera is fixed at the estimate from another sequence.
+  std::vector<double> k1;        ///< k1 after each frame of the run `estimated`.
+  std::vector<double> k1_sigma;  ///< Standard deviation of k1 after each frame.
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LearningTrial, scenario, perturbation, is_judged, fixed,
                                    estimated, swapped, k1, k1_sigma)
 
-/// All but the swapped run. The camera's k1 is among what is free.
+/// Makes all runs except the swapped one. The camera's k1 is among the free parameters.
 LearningTrial RunLearningTrial(const Scenario& scenario, const Perturbation& perturbation,
                                const OdometryOptions& options);
 
-/// With the camera that is given, moved by a difference from it, fixed.
+/// Runs with the camera fixed at the given one plus `difference`.
 CameraRun RunSwapped(const Scenario& scenario, const Perturbation& perturbation,
                      const Eigen::VectorXd& difference, const OdometryOptions& options);
 
-/// The frame from which on all values lie in [min, max]; their number if the last one does not.
+/// Returns the first frame from which on all values are in [min, max], or the number of values if
+/// the last one is not.
 int FirstFrameWithin(const std::vector<double>& values, double min, double max);
 
-/// A Markdown table with a line for each trial: from which frame on KITTI's k1 lies in [0.015,
-/// 0.032].
+/// Returns a Markdown table with a line for each trial: the frame from which on KITTI's k1 is in
+/// [0.015, 0.032].
 std::string LearningTable(const std::vector<LearningTrial>& trials);
 
-/// A Markdown table with a line for each scenario: medians over the judged perturbations of the
-/// errors, and what the swapped camera keeps of the gain.
+/// Returns a Markdown table with a line for each scenario: the medians of the errors over the
+/// judged perturbations, and the share of the gain that the swapped camera keeps.
 std::string SwapTable(const std::vector<LearningTrial>& trials);
 
-/// Draws k1 with a band of one standard deviation over the frames, a panel a trial. False where
-/// gnuplot is missing or fails.
+/// Draws k1 with a band of one standard deviation over the frames, one panel per trial. Returns
+/// false if gnuplot is missing or fails.
 bool DrawLearning(const std::vector<LearningTrial>& trials, const std::filesystem::path& png);
 
 }  // namespace corvo::bench

@@ -34,7 +34,7 @@ struct Arguments {
   bool refine = false;
 };
 
-/// In children; their results in the order of the tasks.
+/// Runs the tasks in child processes and returns their results in the order of the tasks.
 template <typename Result>
 std::vector<Result> RunAll(const std::vector<std::function<Result()>>& tasks, int jobs) {
   std::vector<Result> results(tasks.size());
@@ -65,9 +65,9 @@ std::vector<ConsistencyTrial> RunConsistencyTrials(const Arguments& arguments,
   return RunAll(tasks, arguments.jobs);
 }
 
-/// Of the scenarios with these titles; what one learns is given to the other.
+/// The titles of the two scenarios that swap cameras: each runs with the other's estimate.
 const std::vector<std::string> kSwapped = {"KITTI 03, nominal", "KITTI 05, nominal"};
-const std::string kStraightOn = "KITTI 06, nominal";  ///< Straight on: under one perturbation only.
+const std::string kStraightOn = "KITTI 06, nominal";  ///< A straight drive: one perturbation only.
 
 bool IsLearnt(const Scenario& scenario) {
   return std::find(kSwapped.begin(), kSwapped.end(), scenario.title) != kSwapped.end() ||
@@ -95,7 +95,7 @@ std::vector<Case> LearningCases(const Arguments& arguments) {
   return cases;
 }
 
-/// The trial of the other scenario under the same perturbation; null if there is none.
+/// Returns the trial of the other scenario under the same perturbation, or null if there is none.
 const LearningTrial* FindOther(const LearningTrial& trial,
                                const std::vector<LearningTrial>& trials) {
   if (trial.scenario == kStraightOn) return nullptr;
@@ -132,7 +132,7 @@ std::vector<LearningTrial> RunLearningTrials(const Arguments& arguments,
   return trials;
 }
 
-/// Of the unperturbed sequences.
+/// Draws k1 of the unperturbed sequences.
 void Plot(const std::vector<LearningTrial>& trials, const std::string& file) {
   std::vector<LearningTrial> drawn;
   for (const LearningTrial& trial : trials) {

@@ -13,15 +13,15 @@ namespace corvo::bench {
 namespace {
 
 constexpr int kFrames = 200;
-constexpr int kPeriod = 600;  ///< Frames after which scenes begin to repeat themselves, or more.
+constexpr int kPeriod = 600;  ///< At least the number of frames after which scenes repeat.
 
-/// First frame and number of frames.
+/// The first frame and the number of frames of a part of a sequence.
 struct Stretch {
   int first = 0;
   int size = 0;
 };
 
-/// Where the camera looks almost in the direction of the stretch's first frame, for long enough.
+/// Returns the long stretches whose optical axes are almost parallel to that of their first frame.
 std::vector<Stretch> FindStraights(const PoseSequence& poses) {
   constexpr double kMaxTurn = 0.01;  // rad
   constexpr int kMinSize = 70;

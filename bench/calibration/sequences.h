@@ -7,18 +7,18 @@
 
 namespace corvo::bench {
 
-/// What is filmed for a calibration.
+/// The rendered scenes for a calibration.
 enum class RenderScene {
   kStreet,    ///< A drive with bends and right angles.
-  kRoom,      ///< A walk round a room.
+  kRoom,      ///< A walk around a room.
   kStraight,  ///< A drive straight on.
   kRotation,  ///< A camera that turns about its own center.
 };
 
 std::string ToString(RenderScene scene);
 
-/// A stretch of a scene in small images, from a start and with a pixel noise that change with
-/// `seed`. Deterministic. Images are rendered beforehand, to be seen more than once.
+/// Returns a part of a scene in small images. `seed` determines its start and the pixel noise.
+/// Deterministic. Images are rendered beforehand, because they are used more than once.
 Recording SequencePart(RenderScene scene, int seed);
 
 }  // namespace corvo::bench

@@ -7,25 +7,26 @@
 
 namespace corvo::bench {
 
-/// By how much an estimate missed the truth, and the covariance that it claimed.
+/// The error of an estimate and its claimed covariance.
 struct Miss {
   Eigen::VectorXd error;
   Eigen::MatrixXd covariance;
 };
 
-/// e^T C^-1 e / n of an error of n numbers: 1 on average if the covariance is consistent.
+/// Returns e^T C^-1 e / n (NEES) of an error e of n numbers: 1 on average if the covariance C is
+/// consistent.
 double NormalizedSquaredError(const Miss& miss);
 
-/// How consistent the covariances of many misses are. Vectors: one entry a parameter.
+/// The consistency of the covariances of many misses. Vectors have one entry per parameter.
 struct Consistency {
   int count = 0;
-  Eigen::VectorXd share_within_3_sigma;  ///< Of the misses, 0 to 1.
+  Eigen::VectorXd share_within_3_sigma;  ///< Share of the misses, 0 to 1.
   Eigen::VectorXd rms_error;
   Eigen::VectorXd mean_sigma;
   double mean_normalized_squared_error = 0;
 };
 
-/// Of at least one miss, all of the same parameters.
+/// Computes the consistency of at least one miss. All misses have the same parameters.
 Consistency Judge(const std::vector<Miss>& misses);
 
 }  // namespace corvo::bench

@@ -17,7 +17,7 @@ constexpr const char* kPatterns[] = {
     "kitti/sequences/03/image_0/*.png", "kitti/sequences/05/image_0/*.png",
     "kitti/sequences/06/image_0/*.png", "7scenes/redkitchen/*.color.jpg"};
 
-/// SplitMix64.
+/// Returns the next number of SplitMix64.
 std::uint64_t NextRandom(std::uint64_t& state) {
   std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

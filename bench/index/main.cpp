@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An index of descriptors against the exact scan: see kHelp.
+// This program compares an index of descriptors with the exact scan: see kHelp.
 
 #include <exception>
 #include <fstream>
@@ -77,8 +77,8 @@ void ReportIndices(const Collection& collection, const std::vector<orb::Descript
   }
 }
 
-/// All keypoints of a frame at once, as the relocaliser asks: flipped copies, which suit the index
-/// best, and descriptors of other images, which are like nothing in it.
+/// Measures queries of all keypoints of a frame at once, like those of the relocalizer: flipped
+/// copies, which suit the index best, and descriptors of other images, which have no match in it.
 void ReportRelocaliserSizes(const Collection& collection, const Arguments& args, Json& json) {
   fmt::print(
       "\n| 2000 queries among | queries | exact scan, ms | index, ms | index and its making, "

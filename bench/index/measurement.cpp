@@ -29,7 +29,8 @@ std::vector<orb::Nearest> Scan(std::span<const orb::Descriptor> collection,
   return nearest;
 }
 
-/// Sets the least time of each query, and whether it finds what is as near as the nearest.
+/// Updates the least time of each query and returns the number of queries whose result is as near
+/// as the exact nearest neighbor.
 int CountFound(const orb::LshIndex& index, std::span<const orb::Descriptor> queries,
                std::span<const orb::Nearest> exact, std::vector<double>& least_ms) {
   int found = 0;

@@ -9,15 +9,15 @@
 
 namespace corvo::bench {
 
-/// Every time is processor time of one thread; the least of `repeats`.
+/// The result of an exact scan. The time is processor time of one thread, the least of `repeats`.
 
 struct ScanResult {
-  std::vector<orb::Nearest> nearest;  ///< By query.
+  std::vector<orb::Nearest> nearest;  ///< One per query.
   double query_ms = 0;
   double memory_mb = 0;
 };
 
-/// Exact scan of the collection, `batch` queries at a time.
+/// Measures an exact scan of the collection with `batch` queries at a time.
 ScanResult MeasureScan(std::span<const orb::Descriptor> collection,
                        std::span<const orb::Descriptor> queries, int batch, int repeats);
 
@@ -25,19 +25,20 @@ struct IndexResult {
   orb::LshIndexOptions options;
   double build_s = 0;
   double memory_mb = 0;
-  double recall = 0;  ///< Share of queries whose nearest is as near as in the scan.
+  double recall = 0;  ///< Share of queries whose result is as near as in the scan.
   double mean_ms = 0;
   double p50_ms = 0;
   double p99_ms = 0;
 };
 
-/// An index of the collection, one query at a time; `exact` is what the scan found.
+/// Measures an index of the collection with one query at a time; `exact` is the result of the scan.
+/// The times are processor times of one thread; those of queries are the least of `repeats`.
 IndexResult MeasureIndex(std::span<const orb::Descriptor> collection,
                          std::span<const orb::Descriptor> queries,
                          std::span<const orb::Nearest> exact, const orb::LshIndexOptions& options,
                          int repeats);
 
-/// Save() and Load() of an index of the collection in a temporary file, wall time.
+/// Wall times of Save() and Load() of an index in a temporary file, and the size of the file.
 struct FileResult {
   double save_s = 0;
   double load_s = 0;

@@ -18,7 +18,7 @@ namespace {
 
 struct Child {
   int task = 0;
-  int pipe = 0;  ///< Its output; a pipe holds 64 kB, so that the child never waits for a reader.
+  int pipe = 0;  ///< The child's output. A pipe holds 64 kB, so that the child never waits.
 };
 
 void WriteAll(int file, const std::string& text) {
@@ -40,7 +40,7 @@ std::string ReadAll(int file) {
   return text;
 }
 
-/// Never returns to the parent's code.
+/// Runs the task, writes its output to the pipe and exits. Never returns.
 [[noreturn]] void RunChild(const std::function<std::string()>& task, int output) {
   int status = 0;
   try {

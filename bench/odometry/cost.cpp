@@ -18,7 +18,7 @@ double ProcessorMsOf(const auto& task) {
   return ProcessTimeMs() - start;
 }
 
-/// As corvo chooses it where it is not told.
+/// Returns the number of keypoints of the options or, if that is 0, corvo's default.
 int NumKeypoints(const Recording& recording, const OdometryOptions& options) {
   if (options.extractor.num_features > 0) return options.extractor.num_features;
   return recording.camera.width() >= 1000 ? 2000 : 1000;

@@ -18,7 +18,7 @@ std::size_t HeapBytes() {
   return info.uordblks + info.hblkhd;
 }
 
-/// After the allocator gave back what it has free.
+/// Returns the resident memory of the process after the allocator has released its free memory.
 std::size_t ResidentBytes() {
   malloc_trim(0);
   std::size_t total_pages = 0, resident_pages = 0;
@@ -26,7 +26,7 @@ std::size_t ResidentBytes() {
   return resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Odometry on a recording, up to where it is asked.
+/// Runs odometry on a recording in steps.
 class Runner {
  public:
   Runner(const Recording& recording, const OdometryOptions& options)

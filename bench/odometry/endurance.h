@@ -11,26 +11,27 @@
 
 namespace corvo::bench {
 
-/// What odometry holds after so many frames, and what the frames cost.
+/// The memory use of odometry after a number of frames and the processor time of the frames.
 struct Holding {
   int frames = 0;
   int posed_frames = 0;
-  int keyframes = 0;       ///< Ever made.
-  int kept_keyframes = 0;  ///< Still in the working set.
-  int landmarks = 0;       ///< Likewise.
+  int keyframes = 0;       ///< Number created so far.
+  int kept_keyframes = 0;  ///< Number of active ones, in the working set.
+  int landmarks = 0;       ///< Number in the working set.
   MemoryUse memory;
-  std::size_t spooled_bytes = 0;   ///< Of finished landmarks, in a file.
-  std::size_t heap_bytes = 0;      ///< In use by the process, beyond what was before the start.
-  std::size_t resident_bytes = 0;  ///< Of the process, likewise; free memory is given back first.
-  double processor_ms = 0;         ///< Of Process, a frame; mean since the holding before.
+  std::size_t spooled_bytes = 0;   ///< File size of the marginalized landmarks.
+  std::size_t heap_bytes = 0;      ///< Heap memory in use minus that before the start.
+  std::size_t resident_bytes = 0;  ///< Resident minus that at the start; free memory is released.
+  double processor_ms = 0;         ///< Process() per frame, mean since the previous Holding.
 };
 
-/// Calls `report` after each of the numbers of frames, which ascend.
+/// Runs odometry and calls `report` after each number of frames in `after_frames`, which is
+/// ascending.
 void MeasureHoldings(const Recording& recording, const OdometryOptions& options,
                      const std::vector<int>& after_frames,
                      const std::function<void(const Holding&)>& report);
 
-/// Head and line of a Markdown table.
+/// Returns the header of a Markdown table, whose lines HoldingLine() returns.
 std::string HoldingHead();
 std::string HoldingLine(const std::string& title, const Holding& holding);
 

@@ -37,7 +37,7 @@ struct Arguments {
   bool refine = false;
 };
 
-/// Between a process and its child.
+/// Serializes a result for the pipe between a process and its child.
 template <typename Result>
 std::string ToBytes(const Result& result) {
   static_assert(std::is_trivially_copyable_v<Result>);
@@ -86,7 +86,7 @@ std::vector<Trial> RunTrials(const std::vector<Scenario>& scenarios, const Argum
   return trials;
 }
 
-/// Of the sequences that stand for their size.
+/// Prints the costs on the sequences that represent their image sizes.
 void PrintCosts(const OdometryOptions& options) {
   constexpr int kRepeats = 3;
   std::vector<Scenario> scenarios;
@@ -108,7 +108,7 @@ void PrintCosts(const OdometryOptions& options) {
   });
 }
 
-/// What is held after a tenth, a quarter, half and all of the frames.
+/// Prints the memory use after a tenth, a quarter, half and all of the frames.
 void PrintEndurance(const Arguments& arguments, const OdometryOptions& options) {
   const int frames = arguments.endurance_frames;
   fmt::print("{}", HoldingHead());

@@ -11,7 +11,7 @@
 namespace corvo::bench {
 namespace {
 
-/// Sets the field of one name, if the options it visits have it.
+/// A visitor that sets the field with a given name if the visited options have it.
 class FieldSetter {
  public:
   FieldSetter(std::string name, std::string value)

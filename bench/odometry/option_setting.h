@@ -7,9 +7,9 @@
 
 namespace corvo::bench {
 
-/// Sets one field of the options, among them those that configuration files do not have.
-/// `setting` is "<section>.<field>=<value>". Throws corvo::Error on an unknown field and on a value
-/// that is no number or out of range.
+/// Sets one field of the options; fields that configuration files do not have are allowed.
+/// `setting` is "<section>.<field>=<value>". Throws corvo::Error if the field is unknown or the
+/// value is not a number or out of range.
 void SetOption(const std::string& setting, OdometryOptions& options);
 
 }  // namespace corvo::bench

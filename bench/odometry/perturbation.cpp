@@ -19,7 +19,7 @@ std::vector<int> SelectImages(int size, const Perturbation& perturbation) {
   return images;
 }
 
-/// Poses with the times `mirror - t`, ascending again.
+/// Returns the poses with times `mirror - t`, in ascending order.
 PoseSequence Mirror(PoseSequence poses, TimeNs mirror) {
   for (TimedPose& pose : poses) pose.time_ns = mirror - pose.time_ns;
   std::reverse(poses.begin(), poses.end());

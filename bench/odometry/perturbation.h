@@ -11,27 +11,27 @@
 
 namespace corvo::bench {
 
-/// A change to a recording that leaves what it shows the same.
+/// A change to a recording that preserves the scene.
 struct Perturbation {
   std::string title = "start 0";
   int start = 0;           ///< Index of the first image.
-  int stride = 1;          ///< Of so many images one is used.
+  int stride = 1;          ///< Every stride-th image is used.
   bool backwards = false;  ///< The last image comes first.
-  double noise_sigma = 0;  ///< Of Gaussian noise on every pixel, gray.
+  double noise_sigma = 0;  ///< Gaussian noise of every pixel, gray levels.
   double gain_swing = 0;   ///< Brightness is multiplied by 1 + gain_swing sin(2 pi i / 50).
-  int jpeg_quality = 0;    ///< Compressed and decompressed again; 0: not.
-  bool is_judged = true;   ///< false: reported, but in no median.
+  int jpeg_quality = 0;    ///< JPEG compression; none if 0.
+  bool is_judged = true;   ///< If false, reported, but excluded from medians.
 };
 
-/// What an estimate should survive: five starts, half the frame rate, noise, a swinging exposure,
-/// compression, and time reversed.
+/// Returns the perturbations that an estimate should withstand: five starts, half the frame rate,
+/// noise, varying exposure, compression, and reversed time.
 std::vector<Perturbation> PerturbationSet();
 
-/// The images that the perturbation leaves, in its order and changed by it. Backwards, times and
-/// truth are mirrored.
+/// Returns the recording with the images that the perturbation selects, in its order and changed by
+/// it. If reversed, the timestamps and the ground truth are mirrored.
 Recording Perturb(const Recording& recording, const Perturbation& perturbation);
 
-/// The image with index `index` after noise, gain and compression. Deterministic.
+/// Returns the image with index `index` after gain, noise and compression. Deterministic.
 cv::Mat Degrade(const cv::Mat& image, const Perturbation& perturbation, int index);
 
 }  // namespace corvo::bench

@@ -13,7 +13,7 @@
 namespace corvo::bench {
 namespace {
 
-constexpr double kFrameRateHz = 30;  // Of folders of images without times: 7-Scenes.
+constexpr double kFrameRateHz = 30;  // For folders of images without timestamps (7-Scenes).
 
 Camera ChooseCamera(const RecordingFiles& files, const ImageList& list) {
   if (!files.camera.empty()) return ReadCameraFile(files.camera).camera;

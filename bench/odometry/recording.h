@@ -13,28 +13,29 @@
 
 namespace corvo::bench {
 
-/// What one camera took, and the truth.
+/// The images of one camera and the ground truth.
 struct Recording {
   Camera camera;
-  std::vector<TimeNs> times;                ///< Ascending, one an image.
-  PoseSequence truth;                       ///< Of the camera; empty where it is not known.
+  std::vector<TimeNs> times;                ///< Timestamps, ascending, one per image.
+  PoseSequence truth;                       ///< Ground truth of the camera; empty if unknown.
   std::function<cv::Mat(int index)> image;  ///< 8-bit gray, of the camera's size.
 
   int size() const { return static_cast<int>(times.size()); }
 };
 
-/// Where a sequence lies. Empty paths: the dataset's own calibration, no truth.
+/// The paths of a sequence. If `camera` is empty, the dataset's own calibration is used; if `truth`
+/// is empty, there is no ground truth.
 struct RecordingFiles {
   std::filesystem::path folder;
   std::filesystem::path camera;
   std::filesystem::path truth;
 };
 
-/// The first `max_count` images. Throws corvo::Error where something cannot be read, and where
-/// there is no calibration.
+/// Returns the first `max_count` images. Throws corvo::Error if a file cannot be read or there is
+/// no calibration.
 Recording ReadRecording(const RecordingFiles& files, int max_count);
 
-/// Renders the images when they are asked for.
+/// Returns a recording whose images are rendered on each access.
 Recording RenderRecording(const synthetic::Sequence& sequence);
 
 }  // namespace corvo::bench

@@ -14,7 +14,7 @@ namespace {
 
 using Figure = double TrialResult::*;
 
-/// The better an estimate, the less it is; what cannot be said is the worst.
+/// Returns a figure of each result. NaN becomes the largest double, so that it counts as the worst.
 std::vector<double> Errors(const std::vector<const TrialResult*>& results, Figure figure) {
   std::vector<double> errors;
   for (const TrialResult* result : results) {
@@ -29,14 +29,14 @@ std::string Format(double error, int digits) {
   return is_known ? fmt::format("{:.{}f}", error, digits) : "-";
 }
 
-/// Median and worst; `-` for both where no trial can say.
+/// Formats the median and the worst error, or `-` if both are unknown.
 std::string Spread(const std::vector<double>& errors, int digits) {
   const std::string median = Format(Percentile(errors, 50), digits);
   const std::string worst = Format(Percentile(errors, 100), digits);
   return median == "-" && worst == "-" ? "-" : fmt::format("{} ({})", median, worst);
 }
 
-/// In percent, and the least of them.
+/// Formats the median share and, in brackets, the least one, in percent.
 std::string Shares(const std::vector<const TrialResult*>& results, Figure share) {
   const std::vector<double> shares = Errors(results, share);
   return fmt::format("{:.1f} ({:.1f})", 100 * Percentile(shares, 50), 100 * Percentile(shares, 0));

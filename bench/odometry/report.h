@@ -11,21 +11,21 @@
 
 namespace corvo::bench {
 
-/// A scenario under one perturbation.
+/// The result of a scenario under one perturbation.
 struct Trial {
   std::string scenario;
   Perturbation perturbation;
   TrialResult result;
 };
 
-/// A Markdown table with a line for each scenario, in order of appearance: medians over the judged
-/// perturbations and, in brackets, the worst.
+/// Returns a Markdown table with a line for each scenario, in order of appearance: the medians over
+/// the judged perturbations and, in brackets, the worst values.
 std::string SummaryTable(const std::vector<Trial>& trials);
 
-/// A Markdown table with a line for each trial.
+/// Returns a Markdown table with a line for each trial.
 std::string TrialTable(const std::vector<Trial>& trials);
 
-/// Every figure of every trial; null where it cannot be said.
+/// Returns every figure of every trial; unknown figures are null.
 nlohmann::ordered_json ToJson(const std::vector<Trial>& trials);
 
 }  // namespace corvo::bench

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 fs::path ShippedCamera(const std::string& name) { return test::SourceDir() / "configs" / name; }
 
-/// `camera` is the name of a shipped one; empty: the dataset's own.
+/// Returns the scenario of a recorded sequence. `camera` names a shipped camera file; if it is
+/// empty, the dataset's own calibration is used.
 Scenario Recorded(std::string title, const std::string& folder, const std::string& truth,
                   const std::string& camera, int max_count = 500) {
   RecordingFiles files;
@@ -28,7 +29,8 @@ Scenario RecordedKitti(const std::string& number, const std::string& camera) {
                   "kitti/sequences/" + number, "kitti/poses/" + number + ".txt", camera);
 }
 
-/// At half the frame rate the car turns, or drives, too far from one image to the next.
+/// Excludes half the frame rate from the medians: the car turns or drives too far between two
+/// images.
 Scenario OnlyReportHalfRate(Scenario scenario) {
   for (Perturbation& perturbation : scenario.perturbations) {
     perturbation.is_judged = perturbation.stride == 1;
@@ -36,7 +38,8 @@ Scenario OnlyReportHalfRate(Scenario scenario) {
   return scenario;
 }
 
-/// Played from the beginning again and again, without a truth. Images are rendered beforehand.
+/// Returns a recording of `frames` images that repeats another, without ground truth. Images are
+/// rendered beforehand.
 Recording Repeat(const Recording& recording, int frames) {
   std::vector<cv::Mat> images;
   for (int i = 0; i < recording.size(); ++i) images.push_back(recording.image(i));
@@ -90,7 +93,7 @@ std::vector<Scenario> RenderedScenarios() {
 std::vector<Scenario> EnduranceScenarios(int frames) {
   const auto street = [frames] {
     synthetic::SequenceOptions options;
-    options.frames = 1500;  // Enough that its beginning is forgotten at its end.
+    options.frames = 1500;  // At its end, the working set has nothing of its start.
     options.width = 480;
     return Repeat(RenderRecording(synthetic::MakeStreet(options)), frames);
   };

@@ -10,22 +10,22 @@
 
 namespace corvo::bench {
 
-/// A recording and what is done to it.
+/// A recording and the perturbations that are applied to it.
 struct Scenario {
   std::string title;
   std::function<Recording()> make;
   std::vector<Perturbation> perturbations;
 };
 
-/// The sequences of the test data, each under every perturbation.
+/// Returns the sequences of the test data, each under every perturbation.
 std::vector<Scenario> RecordedScenarios();
 
-/// In small images: a street of a kilometer, driven again and again with a cut in between, and a
-/// room, walked round and round.
+/// Returns endurance scenarios in small images: a drive along a street of a kilometer, repeated
+/// with a cut in between, and a walk around a room without end.
 std::vector<Scenario> EnduranceScenarios(int frames);
 
-/// Two kilometers of a street with a fifth of the image moving, and a room with three seconds of
-/// dark and two of blur.
+/// Returns two scenarios: two kilometers of a street with a fifth of the image moving, and a room
+/// with three seconds of darkness and two of blur.
 std::vector<Scenario> RenderedScenarios();
 
 }  // namespace corvo::bench

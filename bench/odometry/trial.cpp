@@ -59,7 +59,7 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
   MeasureRotation(trajectory, truth, result);
   try {
     MeasurePoses(Evaluate(trajectory.PosedFrames(), truth), result);
-  } catch (const Error&) {  // Too few poses to align: they stay unknown.
+  } catch (const Error&) {  // Too few poses to align: the figures stay unknown.
   }
   return result;
 }

@@ -11,7 +11,7 @@
 namespace corvo::bench {
 namespace {
 
-/// Parameters of a series, ascending.
+/// Returns the parameters of a series, ascending.
 std::set<double> ParametersOf(const QualityReport& report, const std::string& series) {
   std::set<double> parameters;
   for (const PairResult& result : report.pairs) {
@@ -20,7 +20,8 @@ std::set<double> ParametersOf(const QualityReport& report, const std::string& se
   return parameters;
 }
 
-/// A named data block: the parameter, then the precision of every contender.
+/// Returns a named gnuplot data block: in each line a parameter, then the precision of every
+/// contender.
 std::string DataBlock(const QualityReport& report, const std::string& series, std::size_t number) {
   std::string block = fmt::format("$series{} << EOD\n", number);
   for (const double parameter : ParametersOf(report, series)) {

@@ -29,7 +29,7 @@ orb::ExtractorOptions Upright(int num_features) {
   return options;
 }
 
-/// cv::SIFT keeps layer and sub-pixel offset beside the octave.
+/// Returns the octave of a keypoint, where cv::SIFT also packs the layer and the sub-pixel offset.
 int OctaveOf(const cv::KeyPoint& point) {
   if (point.octave < 256) return point.octave;
   const int octave = point.octave & 255;

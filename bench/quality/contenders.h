@@ -10,19 +10,19 @@
 
 namespace corvo::bench {
 
-/// Features under comparison.
+/// A feature extractor under comparison.
 struct Contender {
   std::string name;
   cv::Ptr<cv::Feature2D> features;
 };
 
-/// corvo with a grid (the default), the strongest anywhere (Harris response, 256 directions), and
-/// with a grid but upright; then cv::ORB, cv::SIFT, cv::BRISK and cv::AKAZE with their own
-/// defaults.
+/// Returns corvo with a grid (the default), with the strongest keypoints of the whole image (Harris
+/// response, 256 directions), and with a grid but upright; then cv::ORB, cv::SIFT, cv::BRISK and
+/// cv::AKAZE with their own defaults.
 std::vector<Contender> MakeContenders(int num_features);
 
-/// The `num_features` keypoints of highest response; between equals the first. Octaves are whole
-/// numbers from 0, or -1 for cv::SIFT's doubled image.
+/// Returns the `num_features` keypoints of highest response; ties go to the first. Octaves are
+/// integers from 0, or -1 for cv::SIFT's doubled image.
 DescribedPoints Describe(const Contender& contender, const cv::Mat& image, int num_features);
 
 }  // namespace corvo::bench

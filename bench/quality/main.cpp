@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Features against features: see kHelp.
+// This program compares features: see kHelp.
 
 #include <exception>
 #include <filesystem>
@@ -48,7 +48,7 @@ constexpr SpreadFolder kSpreadFolders[] = {
     {"EuRoC MH_01", "euroc/MH_01_easy/mav0/cam0/data/*.png"},
 };
 
-/// On average over 20 images that are spread over the folder.
+/// Returns the mean spread over 20 images (one in a short run) that are spread over the folder.
 double MeanSpread(const Contender& contender, const SpreadFolder& folder, const Arguments& args) {
   std::vector<cv::String> files;
   cv::glob(test::DataPath(folder.pattern).string(), files);
@@ -78,7 +78,7 @@ std::vector<OctaveBias> BiasOverAll(const Contender& contender, const std::vecto
   return MergeOctaves(all);
 }
 
-/// What is measured, in order.
+/// Returns all tasks in order, or one in 24 in a short run.
 std::vector<PairTask> AllTasks(const std::vector<Image>& images, const Arguments& args) {
   std::vector<PairTask> tasks;
   for (const auto& part : {RotationTasks(images), ChangeTasks(images), OxfordTasks(args.oxford)}) {

@@ -25,7 +25,7 @@ std::vector<cv::Point2d> MapAll(const cv::Matx33d& target_from_source, const Poi
   return mapped;
 }
 
-/// Whether a pixel's center rounds to one of an image.
+/// Returns whether a point rounds to a pixel of an image.
 bool IsInside(const cv::Point2d& point, cv::Size size) {
   return point.x > -0.5 && point.y > -0.5 && point.x < size.width - 0.5 &&
          point.y < size.height - 0.5;
@@ -41,7 +41,7 @@ std::vector<bool> FindInside(const std::vector<cv::Point2d>& points, cv::Size si
   return inside;
 }
 
-/// Sets repeated and paired.
+/// Sets `repeated` and `paired` of `measures`.
 void CountNear(const std::vector<cv::Point2d>& first, const std::vector<bool>& first_counts,
                const Points& second, const std::vector<bool>& second_counts, Measures& measures) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> near;
@@ -65,7 +65,7 @@ void CountNear(const std::vector<cv::Point2d>& first, const std::vector<bool>& f
   measures.paired = static_cast<int>(used_first.size());
 }
 
-/// By query the train descriptor that is nearest; -1 where there is none.
+/// Returns for each query the index of the nearest train descriptor, or -1 if there is none.
 std::vector<int> FindNearest(const DescribedPoints& queries, const DescribedPoints& train) {
   std::vector<int> nearest(queries.points.size(), -1);
   if (queries.points.empty() || train.points.empty()) return nearest;

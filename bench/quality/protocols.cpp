@@ -21,7 +21,7 @@ cv::Mat ReadGray(const std::filesystem::path& file) {
   return image;
 }
 
-/// Image `number` of a sequence, from 1: a .ppm or, if gray, a .pgm.
+/// Reads image `number` (from 1) of a sequence: a .ppm or, if gray, a .pgm.
 cv::Mat ReadOxford(const std::string& name, int number) {
   const auto file = test::DataPath(fmt::format("oxford_affine/{}/img{}", name, number)).string();
   return ReadGray(std::filesystem::exists(file + ".ppm") ? file + ".ppm" : file + ".pgm");

@@ -96,7 +96,7 @@ std::string Line(const Requirement& requirement) {
                      reached);
 }
 
-// References that are not measured here are ORB-SLAM's, measured on the same images.
+// References that are not measured here are those of ORB-SLAM on the same images.
 
 std::vector<Requirement> GridRequirements(const QualityReport& report) {
   const std::string grid = "corvo, grid";

@@ -11,31 +11,32 @@
 
 namespace corvo::bench {
 
-/// What a contender's keypoints are like, whatever they are matched with.
+/// The properties of a contender's keypoints that do not depend on matching.
 struct KeypointResult {
   std::string contender;
-  std::vector<double> spread;    ///< Of each of the folders, on average.
-  std::vector<OctaveBias> bias;  ///< Over all images.
+  std::vector<double> spread;    ///< Mean spread in each of the folders.
+  std::vector<OctaveBias> bias;  ///< Bias of each octave over all images.
 
-  /// The greatest of octaves with at least 50 pairs, px.
+  /// Returns the largest bias of the octaves with at least 50 pairs, px.
   double MaxBiasPx() const;
 };
 
 struct QualityReport {
-  std::vector<std::string> contenders;      ///< In order.
-  std::vector<std::string> spread_folders;  ///< As KeypointResult::spread.
+  std::vector<std::string> contenders;      ///< Names in the order of the columns.
+  std::vector<std::string> spread_folders;  ///< In the order of KeypointResult::spread.
   std::vector<PairResult> pairs;
   std::vector<KeypointResult> keypoints;
 };
 
-/// One Markdown table: for each measure a line for each series, a column for each contender. Shares
-/// are those of sums over the series' pairs; correct matches are sums for Oxford's, else means.
+/// Returns a Markdown table with a line for each measure and series and a column for each
+/// contender. Shares are computed from sums over a series' pairs; correct matches are sums for
+/// Oxford's sequences, else means.
 std::string QualityTable(const QualityReport& report);
 
-/// A Markdown table of what is required of corvo's features, and what they reach.
+/// Returns a Markdown table of the requirements for corvo's features and the values reached.
 std::string RequirementTable(const QualityReport& report);
 
-/// Every pair, and what the tables are made of.
+/// Returns the counts of every pair and the keypoint results of every contender.
 nlohmann::ordered_json ToJson(const QualityReport& report);
 
 }  // namespace corvo::bench

@@ -10,7 +10,7 @@
 namespace corvo::bench {
 namespace {
 
-/// What lies within the circle inscribed in the image.
+/// Returns the points inside the circle inscribed in the image.
 DescribedPoints KeepInCircle(const DescribedPoints& described, cv::Size size) {
   const double radius = 0.5 * (std::min(size.width, size.height) - 1);
   DescribedPoints kept;

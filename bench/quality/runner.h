@@ -9,7 +9,7 @@
 
 namespace corvo::bench {
 
-/// What a contender achieves on one pair.
+/// The result of a contender on one pair of images.
 struct PairResult {
   std::string contender;
   std::string series;
@@ -22,7 +22,8 @@ struct PairResult {
 std::vector<PairResult> RunTasks(const Contender& contender, const std::vector<PairTask>& tasks,
                                  int num_features);
 
-/// Sum over the pairs of a contender in a series, or with `parameter` only those with it.
+/// Returns the sum over the pairs of a contender in a series; with `parameter`, only over the pairs
+/// with that parameter.
 Measures SumOf(const std::vector<PairResult>& results, const std::string& contender,
                const std::string& series);
 Measures SumOf(const std::vector<PairResult>& results, const std::string& contender,

@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<cv::KeyPoint>;
 
-/// Twice the error that moves both points of a pair the same way.
+/// Returns twice the error that shifts both points of a pair in the same direction.
 cv::Point2d Excess(const cv::KeyPoint& point, const cv::KeyPoint& turned, cv::Size size) {
   return {double{point.pt.x} + turned.pt.x - (size.width - 1),
           double{point.pt.y} + turned.pt.y - (size.height - 1)};

@@ -19,7 +19,7 @@ cv::Matx33d RotationAbout(double x, double y, double angle_deg) {
   return {c, -s, x - c * x + s * y, s, c, y - s * x - c * y, 0, 0, 1};
 }
 
-/// Pixels are squares around integer coordinates.
+/// Returns the scaling of images whose pixels are squares centered at integer coordinates.
 cv::Matx33d Scaling(double x, double y) {
   return {x, 0, 0.5 * x - 0.5, 0, y, 0.5 * y - 0.5, 0, 0, 1};
 }

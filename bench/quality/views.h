@@ -9,30 +9,31 @@
 
 namespace corvo::bench {
 
-/// An image, and another that shows the same plane.
+/// A second image of a plane and its homography from the first.
 struct View {
   cv::Mat image;
-  cv::Matx33d from_first = cv::Matx33d::eye();  ///< Takes pixels of the first image to this one.
+  cv::Matx33d from_first = cv::Matx33d::eye();  ///< Maps pixels of the first image to `image`.
 };
 
-/// Turned about its center by an angle from x towards y, bilinearly; black where there is nothing.
+/// Rotates an image about its center by an angle from x towards y with bilinear interpolation.
+/// Pixels from outside the image are black.
 View Rotate(const cv::Mat& image, double angle_deg);
 
-/// By area where it shrinks, bilinearly where it grows.
+/// Scales an image by area averaging if it shrinks, else with bilinear interpolation.
 View Scale(const cv::Mat& image, double factor);
 
 View Blur(const cv::Mat& image, double sigma_px);
 View CompressJpeg(const cv::Mat& image, int quality);
-/// Values outside of 0 to 255 saturate.
+/// Adds an offset to every pixel; values outside 0 to 255 saturate.
 View AddBrightness(const cv::Mat& image, double offset);
-/// About gray 128; saturates.
+/// Scales gray levels about 128; values outside 0 to 255 saturate.
 View ChangeContrast(const cv::Mat& image, double gain);
 
-/// N(0, sigma) at every pixel; the same for one size and seed.
+/// Adds Gaussian noise to every pixel. The noise depends on the size and `seed` only.
 cv::Mat AddNoise(const cv::Mat& image, double sigma, std::uint64_t seed);
 
-/// The homography in a file of three lines of three numbers. Throws corvo::Error where it has
-/// none.
+/// Reads a homography from a file of three lines of three numbers. Throws corvo::Error if the file
+/// does not have them.
 cv::Matx33d ReadHomography(const std::string& file);
 
 }  // namespace corvo::bench

@@ -13,12 +13,12 @@
 namespace corvo::bench {
 namespace {
 
-TEST(NormalizedSquaredErrorTest, IsTheMeanOfTheSquaresInSigmasWhereNothingIsCorrelated) {
+TEST(NormalizedSquaredErrorTest, IsTheMeanOfSquaredSigmasWithoutCorrelations) {
   const Miss miss{Eigen::Vector2d(1, -6), Eigen::Vector2d(1, 4).asDiagonal()};
   EXPECT_DOUBLE_EQ(NormalizedSquaredError(miss), (1.0 + 9.0) / 2);
 }
 
-TEST(NormalizedSquaredErrorTest, TakesAnErrorAlongACorrelationForASmallerOne) {
+TEST(NormalizedSquaredErrorTest, ErrorAlongACorrelationCountsLess) {
   Eigen::Matrix2d covariance;
   covariance << 1, 0.8, 0.8, 1;
   const Miss along{Eigen::Vector2d(1, 1), covariance}, across{Eigen::Vector2d(1, -1), covariance};
@@ -26,7 +26,7 @@ TEST(NormalizedSquaredErrorTest, TakesAnErrorAlongACorrelationForASmallerOne) {
   EXPECT_DOUBLE_EQ(NormalizedSquaredError(across), 1 / 0.2);
 }
 
-TEST(JudgeTest, CountsParameterByParameter) {
+TEST(JudgeTest, StatisticsAreComputedPerParameter) {
   const Eigen::Matrix2d covariance = Eigen::Vector2d(1, 4).asDiagonal();
   const Consistency consistency =
       Judge({{Eigen::Vector2d(3, 0), covariance}, {Eigen::Vector2d(-4, 5), covariance}});
@@ -38,7 +38,8 @@ TEST(JudgeTest, CountsParameterByParameter) {
   EXPECT_DOUBLE_EQ(consistency.mean_normalized_squared_error, (9 + 16 + 25.0 / 4) / 4);
 }
 
-/// Errors drawn from a covariance with correlations, which claims to be `claimed` times as large.
+/// Judges errors drawn from a covariance with correlations; the claimed covariance is `claimed`
+/// times as large.
 Consistency JudgeDraws(double claimed) {
   test::Random random(7);
   Eigen::Matrix3d covariance;
@@ -53,25 +54,25 @@ Consistency JudgeDraws(double claimed) {
   return Judge(misses);
 }
 
-TEST(JudgeTest, FindsAnHonestCovarianceHonest) {
+TEST(JudgeTest, ConsistentCovarianceHasNeesOne) {
   const Consistency consistency = JudgeDraws(1);
   EXPECT_NEAR(consistency.mean_normalized_squared_error, 1, 0.05);
   EXPECT_GT(consistency.share_within_3_sigma.minCoeff(), 0.99);
   EXPECT_NEAR(consistency.rms_error[0], consistency.mean_sigma[0], 0.1);
 }
 
-TEST(JudgeTest, FindsATooSmallCovarianceTooSmall) {
+TEST(JudgeTest, TooSmallCovarianceHasLargeNees) {
   const Consistency consistency = JudgeDraws(0.25);
   EXPECT_NEAR(consistency.mean_normalized_squared_error, 4, 0.2);
-  EXPECT_NEAR(consistency.share_within_3_sigma[1], 0.866, 0.02);  // Of a normal one, in 1.5 sigma.
+  EXPECT_NEAR(consistency.share_within_3_sigma[1], 0.866, 0.02);  // P(|z| < 1.5), z normal.
 }
 
-TEST(FirstFrameWithinTest, IsWhereTheLastStretchInsideBegins) {
+TEST(FirstFrameWithinTest, IsTheStartOfTheLastRunInsideTheRange) {
   EXPECT_EQ(FirstFrameWithin({0, 2, 5, 2, 3}, 1, 3), 3);
   EXPECT_EQ(FirstFrameWithin({1, 3}, 1, 3), 0);
 }
 
-TEST(FirstFrameWithinTest, IsTheNumberOfFramesWhereTheLastIsOutside) {
+TEST(FirstFrameWithinTest, IsTheNumberOfFramesIfTheLastIsOutside) {
   EXPECT_EQ(FirstFrameWithin({2, 2, 0}, 1, 3), 3);
 }
 

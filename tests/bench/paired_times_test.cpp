@@ -24,9 +24,9 @@ TEST(LeastTimesTest, KeepsTheLeastOfEachItem) {
   EXPECT_THAT(times.ms(), ElementsAre(2, 5));
 }
 
-TEST(SummarizeTest, TheRatioIsTheMedianOfTheItemsRatiosNotTheRatioOfMedians) {
+TEST(SummarizeTest, RatioIsTheMedianOfTheItemRatiosNotTheRatioOfMedians) {
   const PairedSummary summary = Summarize(Times({1, 2, 10}), Times({4, 20, 30}));
-  EXPECT_DOUBLE_EQ(summary.ratio, 4);  // Of 4, 10 and 3.
+  EXPECT_DOUBLE_EQ(summary.ratio, 4);  // The median of 4, 10 and 3.
   EXPECT_DOUBLE_EQ(summary.ms, 2);
   EXPECT_DOUBLE_EQ(summary.baseline_ms, 20);
 }

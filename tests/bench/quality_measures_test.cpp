@@ -9,7 +9,7 @@
 namespace corvo::bench {
 namespace {
 
-/// A point and its descriptor, one byte.
+/// A point and its one-byte descriptor.
 struct Marked {
   float x = 0;
   float y = 0;
@@ -26,13 +26,13 @@ DescribedPoints Describe(const std::vector<Marked>& marked) {
   return described;
 }
 
-/// The second image is the first moved by (10, 0).
+/// Measures two images of which the second is the first shifted by (10, 0) px.
 Measures MeasureMoved(const std::vector<Marked>& first, const std::vector<Marked>& second) {
   return Measure({Describe(first), Describe(second), cv::Matx33d(1, 0, 10, 0, 1, 0, 0, 0, 1),
                   cv::Size(100, 50), cv::Size(100, 50)});
 }
 
-TEST(QualityMeasuresTest, AnImageMovedIsFoundWhole) {
+TEST(QualityMeasuresTest, ShiftedImageIsMatchedCompletely) {
   const Measures measures = MeasureMoved({{20, 20, 1}, {40, 20, 2}, {60, 20, 4}},
                                          {{70, 20, 4}, {30, 20, 1}, {50, 20, 2}});
   EXPECT_EQ(measures.first, 3);
@@ -50,7 +50,7 @@ TEST(QualityMeasuresTest, ToleranceIsThreePixels) {
   EXPECT_EQ(MeasureMoved({{20, 20, 1}}, {{30, 23.01F, 1}}).repeated, 0);
 }
 
-TEST(QualityMeasuresTest, WhatLeavesTheImageDoesNotCount) {
+TEST(QualityMeasuresTest, PointsOutsideTheOtherImageDoNotCount) {
   const Measures measures = MeasureMoved({{20, 20, 1}, {95, 20, 2}}, {{30, 20, 1}, {3, 20, 2}});
   EXPECT_EQ(measures.first, 1);
   EXPECT_EQ(measures.fewer, 1);
@@ -63,17 +63,19 @@ TEST(QualityMeasuresTest, PointsMayBeRepeatedTogetherButArePairedOneToOne) {
       MeasureMoved({{20, 20, 1}, {21, 20, 2}, {60, 20, 4}}, {{30, 20, 1}, {80, 40, 8}, {5, 5, 9}});
   EXPECT_EQ(measures.repeated, 2);
   EXPECT_EQ(measures.paired, 1);
-  EXPECT_EQ(measures.fewer, 2) << "(5, 5) comes from outside";
+  EXPECT_EQ(measures.fewer, 2) << "(5, 5) maps outside the first image";
 }
 
-TEST(QualityMeasuresTest, TheNearestAreTheFirstToBePaired) {
-  // (20, 20) is near both; paired in order it would take the other's only partner.
+TEST(QualityMeasuresTest, NearestPointsArePairedFirst) {
+  // (20, 20) is near both points of the second image; if pairs were formed in order, it would take
+  // the only partner of the other point.
   const Measures measures = MeasureMoved({{20, 20, 1}, {22, 20, 2}}, {{31.5F, 20, 1}, {28, 20, 2}});
   EXPECT_EQ(measures.paired, 2);
 }
 
-TEST(QualityMeasuresTest, AMatchIsMutualIfItIsTheNearestBothWays) {
-  // Both points of the first image are like the only one of the second, one of them exactly.
+TEST(QualityMeasuresTest, MatchIsMutualIfItIsTheNearestInBothDirections) {
+  // For both points of the first image, the nearest descriptor is that of the first point of the
+  // second image; one of them equals it.
   const Measures measures = MeasureMoved({{20, 20, 3}, {60, 20, 1}}, {{70, 20, 1}, {30, 40, 0xf0}});
   EXPECT_EQ(measures.mutual, 1);
   EXPECT_EQ(measures.mutual_correct, 1);
@@ -92,7 +94,7 @@ TEST(QualityMeasuresTest, CountsAddUp) {
   EXPECT_EQ(sum.MutualPrecision(), 0.5);
 }
 
-TEST(QualityMeasuresTest, NothingHasNoShare) {
+TEST(QualityMeasuresTest, SharesOfNothingAreZero) {
   const Measures measures = MeasureMoved({}, {});
   EXPECT_EQ(measures.Precision(), 0);
   EXPECT_EQ(measures.Repeatability(), 0);

@@ -14,7 +14,8 @@ cv::KeyPoint At(double x, double y, int octave) {
   return {cv::Point2f(static_cast<float>(x), static_cast<float>(y)), 31, -1, 0, octave};
 }
 
-/// Points found `bias` away from where they are, in the image and turned by half.
+/// Measures points that are detected with an error of `bias` in the image and in the image rotated
+/// by 180 degrees.
 std::vector<OctaveBias> MeasureWith(const cv::Point2d& bias, int octave) {
   std::vector<cv::KeyPoint> points, turned;
   for (int i = 0; i < 20; ++i) {
@@ -25,7 +26,7 @@ std::vector<OctaveBias> MeasureWith(const cv::Point2d& bias, int octave) {
   return MeasureBias(points, turned, kSize, kReachPx);
 }
 
-TEST(ScaleBiasTest, IsZeroForPointsWhereTheyAre) {
+TEST(ScaleBiasTest, IsZeroForExactPoints) {
   const auto biases = MeasureWith({0, 0}, 3);
   ASSERT_EQ(biases.size(), 1U);
   EXPECT_EQ(biases[0].octave, 3);
@@ -40,7 +41,7 @@ TEST(ScaleBiasTest, FindsAConstantError) {
   EXPECT_EQ(biases[0].px, cv::Point2d(1.25, -0.5));
 }
 
-TEST(ScaleBiasTest, PairsAreOfOneOctaveAndNear) {
+TEST(ScaleBiasTest, PairsShareAnOctaveAndAreNear) {
   EXPECT_THAT(MeasureBias({At(10, 10, 0)}, {At(629, 469, 1)}, kSize, kReachPx), testing::IsEmpty());
   EXPECT_THAT(MeasureBias({At(10, 10, 0)}, {At(620, 469, 0)}, kSize, kReachPx), testing::IsEmpty());
   const auto biases =
@@ -50,7 +51,7 @@ TEST(ScaleBiasTest, PairsAreOfOneOctaveAndNear) {
   EXPECT_EQ(biases[0].px, cv::Point2d(0, 0));
 }
 
-TEST(ScaleBiasTest, OctavesMergeByTheirPairs) {
+TEST(ScaleBiasTest, OctavesAreMergedWeightedByTheirPairs) {
   const auto merged = MergeOctaves({{1, 1, {4, 0}}, {0, 2, {1, 1}}, {1, 3, {0, 4}}});
   ASSERT_EQ(merged.size(), 2U);
   EXPECT_EQ(merged[0].octave, 0);

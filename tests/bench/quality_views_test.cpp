@@ -18,7 +18,7 @@ namespace {
 
 const cv::Size kSize(101, 81);
 
-/// Blobs at random places.
+/// Returns an image of blobs at random positions.
 cv::Mat Blobs() {
   cv::Mat image(kSize, CV_8U, cv::Scalar(50));
   cv::RNG random(3);
@@ -33,7 +33,8 @@ cv::Mat Blobs() {
   return image;
 }
 
-/// Mean difference of a view from the image, over pixels of the image near its center.
+/// Returns the mean absolute difference between a view and the image over the pixels near the image
+/// center.
 double MeanDifference(const cv::Mat& image, const View& view) {
   double sum = 0;
   int count = 0;
@@ -50,7 +51,7 @@ double MeanDifference(const cv::Mat& image, const View& view) {
   return sum / count;
 }
 
-TEST(QualityViewsTest, PixelsAreWhereTheMapSays) {
+TEST(QualityViewsTest, PixelsLieWhereTheHomographyMapsThem) {
   const cv::Mat image = Blobs();
   for (const double angle : {0.0, 10.0, 90.0, 200.0, 350.0}) {
     EXPECT_LT(MeanDifference(image, Rotate(image, angle)), 2) << angle << " degrees";
@@ -78,7 +79,7 @@ TEST(QualityViewsTest, ScaleKeepsTheOuterEdges) {
   EXPECT_NEAR(opposite[1], half.image.rows - 0.5, 1e-9);
 }
 
-TEST(QualityViewsTest, GrayValuesFollowTheLineAndSaturate) {
+TEST(QualityViewsTest, BrightnessAndContrastAreLinearAndSaturate) {
   const cv::Mat image = (cv::Mat_<std::uint8_t>(1, 4) << 0, 100, 128, 250);
   const cv::Mat brighter = (cv::Mat_<std::uint8_t>(1, 4) << 30, 130, 158, 255);
   const cv::Mat contrast = (cv::Mat_<std::uint8_t>(1, 4) << 0, 72, 128, 255);
@@ -86,7 +87,7 @@ TEST(QualityViewsTest, GrayValuesFollowTheLineAndSaturate) {
   EXPECT_EQ(cv::norm(ChangeContrast(image, 2).image, contrast, cv::NORM_INF), 0);
 }
 
-TEST(QualityViewsTest, NoiseHasItsSigmaAndItsSeed) {
+TEST(QualityViewsTest, NoiseHasTheGivenSigmaAndDependsOnTheSeedOnly) {
   const cv::Mat image(200, 200, CV_8U, cv::Scalar(128));
   cv::Scalar mean, deviation;
   cv::meanStdDev(AddNoise(image, 10, 1), mean, deviation);
@@ -97,7 +98,7 @@ TEST(QualityViewsTest, NoiseHasItsSigmaAndItsSeed) {
   EXPECT_EQ(cv::norm(AddNoise(image, 0, 1), image, cv::NORM_INF), 0);
 }
 
-TEST(QualityViewsTest, BlurAndJpegTakeDetail) {
+TEST(QualityViewsTest, BlurAndJpegRemoveDetail) {
   const cv::Mat image = AddNoise(Blobs(), 20, 1);
   const auto detail = [](const cv::Mat& of) {
     cv::Mat edges;
@@ -110,7 +111,7 @@ TEST(QualityViewsTest, BlurAndJpegTakeDetail) {
             cv::norm(CompressJpeg(image, 10).image, image));
 }
 
-TEST(QualityViewsTest, HomographiesAreNineNumbers) {
+TEST(QualityViewsTest, HomographyFileHasNineNumbers) {
   const auto file = std::filesystem::path(testing::TempDir()) / "corvo_quality_homography";
   std::ofstream(file) << "1 2 3\n4 5 6\n 7e-1 8 9\n";
   EXPECT_EQ(ReadHomography(file), cv::Matx33d(1, 2, 3, 4, 5, 6, 0.7, 8, 9));

@@ -23,7 +23,7 @@ TEST(ComparisonTableTest, HasALineForEachTitleAndAColumnForEachInstructionSet) {
             "| corners | room | 0.5 | 1.50 | 1.23e+03 | 2.00x | |\n");
 }
 
-TEST(ComparisonTableTest, OrdersTheColumnsAsTold) {
+TEST(ComparisonTableTest, OrdersTheColumnsAsGiven) {
   const std::string table = ComparisonTable(kRows, {"AVX2", "AVX3"});
   EXPECT_NE(table.find("| features | street | 2 | 1.10 | 10 | 3.33x | 4.96x |\n"),
             std::string::npos);

@@ -55,7 +55,7 @@ TEST_F(Calibrate, FindsTheFocalLengthOfKittiFromATurn) {
   EXPECT_NEAR(found.camera.parameters().k1, 0.02, 0.015);
 }
 
-TEST_F(Calibrate, WritesNothingWhereNothingCanBeTracked) {
+TEST_F(Calibrate, WritesNothingIfTrackingFails) {
   WriteFolder(folder_ / "noise", 5);
   const CommandResult result = RunCorvo({"calibrate", folder_ / "noise", "-o", camera_});
   EXPECT_EQ(result.exit_code, 2);
@@ -63,7 +63,7 @@ TEST_F(Calibrate, WritesNothingWhereNothingCanBeTracked) {
   EXPECT_FALSE(fs::exists(camera_));
 }
 
-TEST_F(Calibrate, NamesBadInput) {
+TEST_F(Calibrate, ErrorsNameTheInvalidInput) {
   WriteFolder(folder_ / "noise", 3);
   WriteImage(folder_ / "large/0.png", TinyImage(0, 128, 96));
   ExpectError(RunCorvo({"calibrate", "camera:97", "-o", camera_}), "camera:97: is a live camera");

@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// A lowered candidate whose parameters are known to these.
+/// Returns a candidate with a converged adjustment and these standard deviations of its parameters.
 CameraCandidate Known(CalibrationModel model, const std::vector<double>& sigma) {
   CameraCandidate candidate;
   candidate.model = model;
@@ -27,11 +27,11 @@ CameraCandidate Known(CalibrationModel model, const std::vector<double>& sigma) 
   return candidate;
 }
 
-TEST(CandidateReportTest, WhatTheMotionTellsNeedsNoWarning) {
+TEST(CandidateReportTest, WellDeterminedParametersCauseNoWarning) {
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.005, 1, 1})), IsEmpty());
 }
 
-TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
+TEST(CandidateReportTest, WarnsOfUndeterminedParametersWithAdvice) {
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.05, 1, 1})),
               ElementsAre(HasSubstr("focal length (standard deviation 5.0%): turn while ")));
   EXPECT_THAT(UndeterminedWarnings(Known(CalibrationModel::kPinhole, {0.005, 12, 1})),
@@ -40,7 +40,7 @@ TEST(CandidateReportTest, SaysWhatIsNotDeterminedAndWhatToFilm) {
               ElementsAre(HasSubstr("distortion")));
 }
 
-TEST(CandidateReportTest, GivesValuesSigmasAndCorrelations) {
+TEST(CandidateReportTest, PrintsValuesSigmasAndCorrelations) {
   CameraCandidate candidate = Known(CalibrationModel::kPinhole, {0.01, 2, 4});
   candidate.adjustment.estimate.covariance(2, 1) = candidate.adjustment.estimate.covariance(1, 2) =
       -4;

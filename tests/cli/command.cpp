@@ -13,7 +13,7 @@
 namespace corvo::test {
 namespace {
 
-/// argv or envp: pointers into `strings`, with the null that ends them.
+/// Returns an argv or envp array: pointers into `strings` and a terminating null.
 std::vector<char*> Pointers(std::vector<std::string>& strings) {
   std::vector<char*> pointers;
   for (std::string& string : strings) pointers.push_back(string.data());
@@ -21,7 +21,7 @@ std::vector<char*> Pointers(std::vector<std::string>& strings) {
   return pointers;
 }
 
-/// A program that runs, with its output in files.
+/// A running program whose output goes to files.
 class Process {
  public:
   Process(const std::string& program, std::vector<std::string> arguments, char** environment,
@@ -71,7 +71,8 @@ CommandResult Run(const std::string& program, const std::vector<std::string>& ar
   return Process(program, arguments, environment, "").Wait();
 }
 
-/// All that was written to the other end of a pseudo-terminal which nobody has open any more.
+/// Returns everything written to the other end of a pseudo-terminal until every process has closed
+/// it.
 std::string ReadTerminal(int terminal) {
   std::string text;
   char buffer[4096];

@@ -7,20 +7,20 @@
 
 namespace corvo::test {
 
-/// How a process ended and what it printed.
+/// The exit code and the output of a process.
 struct CommandResult {
-  int exit_code = -1;  ///< -1 where it did not exit by itself.
+  int exit_code = -1;  ///< -1 if it did not exit normally.
   std::string out;
   std::string err;
 };
 
-/// Runs the built `corvo` with these arguments, no shell between.
+/// Runs the built `corvo` with these arguments, without a shell.
 CommandResult RunCorvo(const std::vector<std::string>& arguments);
 
-/// As RunCorvo, with a PATH in which no other program is found.
+/// Like RunCorvo(), but with a PATH in which no other program is found.
 CommandResult RunCorvoAlone(const std::vector<std::string>& arguments);
 
-/// Runs any program, with the variables of `environment` ("NAME=value") and no others.
+/// Runs any program with only the variables of `environment` ("NAME=value").
 CommandResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                          std::vector<std::string> environment);
 
@@ -28,7 +28,7 @@ CommandResult RunProgram(const std::string& program, const std::vector<std::stri
 CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
                              const std::filesystem::path& file);
 
-/// Runs `corvo` with a terminal as standard error; what it shows there is `err`.
+/// Runs `corvo` with a terminal as standard error; `err` is the output there.
 CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments);
 
 }  // namespace corvo::test

@@ -37,7 +37,7 @@ TEST(CommandLine, HelpListsTheCommands) {
                     HasSubstr("match"), HasSubstr("config"), HasSubstr("Examples:")));
 }
 
-TEST(CommandLine, TellsItsVersion) {
+TEST(CommandLine, PrintsItsVersion) {
   const CommandResult result = RunCorvo({"--version"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -45,7 +45,7 @@ TEST(CommandLine, TellsItsVersion) {
 
 class WrongUsage : public testing::TestWithParam<std::vector<std::string>> {};
 
-TEST_P(WrongUsage, IsOneLineAndExitCode1) {
+TEST_P(WrongUsage, PrintsOneLineAndExitsWith1) {
   const CommandResult result = RunCorvo(GetParam());
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, IsEmpty());
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"learn", "a.png", "-o", "p", "--keypoints", "999"},
                     std::vector<std::string>{"config", "no/such/file.yaml"}));
 
-TEST(CommandLine, FormerOptionsAreAnsweredByTheirNewNames) {
+TEST(CommandLine, RenamedOptionsAreReportedWithTheirNewNames) {
   EXPECT_THAT(RunCorvo({"run", "folder", "-o", "out", "--metres-per-unit", "2"}).err,
               HasSubstr("--metres-per-unit: is now --meters-per-unit"));
   EXPECT_THAT(RunCorvo({"eval", "a", "b", "--rpe-metres", "5"}).err,

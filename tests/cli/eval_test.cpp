@@ -16,7 +16,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A pose on a path that no plane holds: i, i % 3, i % 2 in the truth's unit, at i seconds.
+/// Returns the TUM line of pose i of a non-planar path: at i seconds and at the position
+/// scale * (i, i % 3, i % 2), shifted by `lateral` along y.
 std::string TumLine(int i, double scale, double lateral) {
   return fmt::format("{}.0 {} {} {} 0 0 0 1\n", i, scale * i, scale * (i % 3) + lateral,
                      scale * (i % 2));
@@ -41,7 +42,7 @@ class Eval : public testing::Test {
     WriteText(times_, times_text_);
   }
 
-  /// What `corvo eval --json` says.
+  /// Returns the report of `corvo eval --json`.
   nlohmann::json Measure(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "eval");
     arguments.push_back("--json");
@@ -73,7 +74,7 @@ TEST_F(Eval, FindsNoErrorUpToASimilarity) {
   EXPECT_EQ(report["coverage"], 1.0);
 }
 
-TEST_F(Eval, KnowsTheErrorOfAShiftWithoutAlignment) {
+TEST_F(Eval, MeasuresAShiftWithoutAlignment) {
   std::string shifted;
   for (int i = 0; i < kCount; ++i) shifted += TumLine(i, 1.0, i % 2 == 0 ? 0.3 : -0.3);
   WriteText(estimate_, shifted);
@@ -84,13 +85,13 @@ TEST_F(Eval, KnowsTheErrorOfAShiftWithoutAlignment) {
   EXPECT_NEAR(report["truth_from_estimate"]["scale"], 1.0, 1e-12);
 }
 
-TEST_F(Eval, LeavesTheScaleAloneWithSe3) {
+TEST_F(Eval, Se3AlignmentKeepsTheScale) {
   const nlohmann::json report = Measure({estimate_, truth_, "--align", "se3"});
   EXPECT_NEAR(report["truth_from_estimate"]["scale"], 1.0, 1e-12);
   EXPECT_GT(report["ate"]["rmse"], 0.5);
 }
 
-TEST_F(Eval, CountsTheTruthThatIsCovered) {
+TEST_F(Eval, CoverageIsTheShareOfGroundTruthWithAnEstimate) {
   WriteText(estimate_, TumLine(0, 0.5, 0) + TumLine(1, 0.5, 0) + TumLine(2, 0.5, 0));
   EXPECT_NEAR(Measure({estimate_, truth_})["coverage"], 3.0 / kCount, 1e-12);
 }
@@ -101,7 +102,7 @@ TEST_F(Eval, ComparesTwoKittiFilesRowByRow) {
   EXPECT_NEAR(report["ate"]["rmse"], 0.0, 1e-9);
 }
 
-TEST_F(Eval, WantsTimesForOneKittiFile) {
+TEST_F(Eval, RequiresTimesForASingleKittiFile) {
   ExpectError(RunCorvo({"eval", estimate_, kitti_}),
               "kitti.txt: KITTI format has no timestamps; give");
   EXPECT_EQ(Measure({estimate_, kitti_, "--times", times_})["pairs"], kCount);
@@ -110,7 +111,7 @@ TEST_F(Eval, WantsTimesForOneKittiFile) {
               "2 timestamps for 12 poses");
 }
 
-TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
+TEST_F(Eval, FindsTheTrajectoryOfARunAndTheGroundTruthOfADataset) {
   WriteText(folder_ / "result/trajectory.tum", estimate_text_);
   WriteText(folder_ / "rgbd/groundtruth.txt", truth_text_);
   EXPECT_EQ(Measure({folder_ / "result", folder_ / "rgbd"})["pairs"], kCount);
@@ -127,9 +128,8 @@ TEST_F(Eval, FindsTheRunsTrajectoryAndTheDatasetsTruth) {
               "kitti: no ground truth in the layout");
 }
 
-TEST_F(Eval, ComparesWhatIsWithinHalfAFrame) {
-  std::string
-      late;  // 0.49 s after poses 0 to 7, 0.4 s before poses 9 to 11; 8 is 0.51 s from both.
+TEST_F(Eval, PairsPosesWithinHalfAFrame) {
+  std::string late;  // 0.49 s after poses 0 to 7, 0.4 s before 9 to 11, 0.51 s from pose 8.
   for (int i = 0; i < kCount - 1; ++i) {
     late += fmt::format("{} {} {} {} 0 0 0 1\n", i < 8 ? i + 0.49 : i + 0.6, i, i % 3, i % 2);
   }
@@ -158,7 +158,7 @@ TEST_F(Eval, SelectsFramesByStateAndSegment) {
   ExpectError(RunCorvo({"eval", run, truth_, "--states", "tracking"}), "no column timestamp");
 }
 
-TEST_F(Eval, MeasuresOverFramesSecondsAndMeters) {
+TEST_F(Eval, MeasuresRpeOverFramesSecondsAndMeters) {
   const nlohmann::json report =
       Measure({estimate_, truth_, "--rpe-frames", "3", "--rpe-seconds", "5", "--rpe-meters", "4"});
   EXPECT_EQ(report["rpe_frames"]["frames"], 3);
@@ -178,7 +178,7 @@ TEST_F(Eval, ReadsEurocFormat) {
   EXPECT_NEAR(Measure({folder_ / "estimate.csv", truth_})["ate"]["rmse"], 0.0, 1e-9);
 }
 
-TEST_F(Eval, NamesBadLines) {
+TEST_F(Eval, ErrorsNameTheMalformedLine) {
   WriteText(estimate_, truth_text_ + "99 1 2 3\n");
   ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum:13: ");
   WriteText(estimate_, "1 2 3\n");
@@ -187,7 +187,7 @@ TEST_F(Eval, NamesBadLines) {
   ExpectError(RunCorvo({"eval", estimate_, truth_}), "estimate.tum: contains no poses");
 }
 
-TEST_F(Eval, RefusesTrajectoriesOfDifferentTimes) {
+TEST_F(Eval, RejectsTrajectoriesWithoutCommonTimes) {
   std::string late;
   for (int i = 0; i < kCount; ++i) late += TumLine(i + 1000, 1.0, 0.0);
   WriteText(estimate_, late);
@@ -202,7 +202,7 @@ TEST_F(Eval, PrintsTheMeasures) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("ATE"), HasSubstr("RPE"), HasSubstr("100.0% of the")));
 }
 
-TEST_F(Eval, DrawsAImage) {
+TEST_F(Eval, DrawsAnImage) {
   const fs::path image = folder_ / "with 'quotes' and spaces.png";
   EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", image}).exit_code, 0);
   EXPECT_THAT(ReadText(image), StartsWith("\x89PNG"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// corvo's measures against those of evo, run as an external program on stored trajectories.
+// These tests compare corvo's measures with those of evo, which runs as an external program on
+// stored trajectories.
 
 #include <cmath>
 #include <ostream>
@@ -16,20 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Prints one file of a zip archive.
+/// A Python program that prints one file of a zip archive.
 constexpr const char* kUnzip =
     "import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())";
 
-/// The same measure asked of both.
+/// A measure that both programs compute.
 struct Measure {
   std::string name;
   std::string format;             ///< "tum" or "kitti".
   std::vector<std::string> evo;   ///< The program and its options.
   std::vector<std::string> eval;  ///< Options of `corvo eval`.
-  std::string json_pointer;       ///< Where `corvo eval --json` has it.
+  std::string json_pointer;       ///< The measure in the output of `corvo eval --json`.
 };
 
-/// How GoogleTest shows it.
+/// Prints a measure in GoogleTest's messages.
 void PrintTo(const Measure& measure, std::ostream* stream) { *stream << measure.evo[0]; }
 
 class Evo : public testing::TestWithParam<Measure> {
@@ -39,7 +40,7 @@ class Evo : public testing::TestWithParam<Measure> {
     return SourceDir() / "tests" / "data" / (name + "." + GetParam().format);
   }
 
-  /// evo's statistics, with all their digits.
+  /// Returns evo's statistics with full precision.
   nlohmann::json RunEvo() const {
     const Measure& measure = GetParam();
     const std::string zip = folder_ / "results.zip";
@@ -66,7 +67,7 @@ class Evo : public testing::TestWithParam<Measure> {
   TempFolder folder_;
 };
 
-TEST_P(Evo, SaysTheSame) {
+TEST_P(Evo, EvalAgreesWithEvo) {
   if (!fs::exists(Programs() / "evo_ape")) {
     const std::string missing = "no evo in .venv: scripts/install_dependencies.sh --development";
     if (DataIsRequired()) FAIL() << missing;
@@ -104,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"--rpe-frames", "20"},
                 "/rpe_frames/translation"},
         Measure{"RpeSeconds",
-                "kitti",  // Rows a second apart.
+                "kitti",  // The rows are a second apart.
                 {"evo_rpe", "-as", "-d", "5", "--all_pairs", "-r", "angle_deg"},
                 {"--rpe-seconds", "5"},
                 "/rpe_time/rotation_deg"},

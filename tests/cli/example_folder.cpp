@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 const char* const kCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n";
 
-/// Whatever the name says, as Motion JPEG: decoders look at what is in the file.
+/// Writes a Motion JPEG video regardless of the extension of `file`: decoders detect the format
+/// from the contents.
 void WriteVideo(const fs::path& file) {
   const fs::path avi = file.parent_path() / "video.avi";
   cv::VideoWriter writer(avi.string(), cv::CAP_OPENCV_MJPEG,
@@ -34,7 +35,7 @@ std::string KittiPoses() {
   return text;
 }
 
-/// In EuRoC's format, at the times of WriteEuroc.
+/// Returns poses in EuRoC format at the times of WriteEuroc().
 std::string EurocPoses() {
   std::string text;
   for (int i = 0; i < kExampleFrames; ++i) {
@@ -46,7 +47,7 @@ std::string EurocPoses() {
 
 const cv::Mat kVga(480, 640, CV_8UC1, cv::Scalar(100));
 
-/// Without a calibration; of the size that configs/tum_fr1.yaml says.
+/// Writes a sequence without a calibration; its images have the size in configs/tum_fr1.yaml.
 void WriteFreiburg1(const fs::path& folder) {
   WriteTum(folder, kExampleFrames);
   for (const auto& entry : fs::directory_iterator(folder / "rgb")) {
@@ -147,7 +148,7 @@ CommandResult ExampleFolder::Run(const std::string& command) const {
 void ExampleFolder::ExpectRuns(const std::string& command) const {
   constexpr int kNeverInitialized = 2;
   const CommandResult result = Run(command);
-  const bool needs_scene =  // Which these images do not have.
+  const bool needs_scene =  // These images show no scene.
       command.rfind("corvo run", 0) == 0 || command.rfind("corvo calibrate", 0) == 0;
   EXPECT_TRUE(result.exit_code == 0 || (needs_scene && result.exit_code == kNeverInitialized))
       << command << "\n"

@@ -11,21 +11,22 @@ namespace corvo::test {
 
 inline constexpr int kExampleFrames = 4;
 
-/// Poses that no plane holds, in TUM format.
+/// Returns the poses of a non-planar path in TUM format.
 std::string ExamplePoses(double first_s, double step_s);
 
-/// A folder with tiny files under the names that the examples of --help and of the READMEs have:
-/// a sequence in every layout with its ground truth, images, a video, camera files. The images
-/// show no scene, so that no run has a pose.
+/// A folder with tiny files under the names in the examples of --help and of the READMEs: a
+/// sequence in every layout with its ground truth, images, a video, camera files. The images show
+/// no scene, so that no run has a pose.
 class ExampleFolder {
  public:
   ExampleFolder();
 
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 
-  /// Runs a line of shell there.
+  /// Runs a shell command in the folder.
   CommandResult Run(const std::string& command) const;
-  /// ... which must end well, or as a run without a pose does.
+  /// Runs a shell command in the folder. Fails the test unless it exits with 0 or, for `corvo run`
+  /// and `corvo calibrate`, with the exit code of a run without a pose.
   void ExpectRuns(const std::string& command) const;
 
  private:

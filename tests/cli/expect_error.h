@@ -9,7 +9,7 @@
 
 namespace corvo::test {
 
-/// The message of the corvo::Error that `action` throws; fails where it throws none.
+/// Returns the message of the corvo::Error that `action` throws. Fails the test if it throws none.
 template <typename Action>
 std::string ErrorOf(Action&& action) {
   try {

@@ -22,7 +22,7 @@ int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Line `index`, from 0, without its end.
+/// Returns line `index` (from 0) without its line end.
 std::string Line(const std::string& text, int index) {
   std::istringstream stream(text);
   std::string line;
@@ -30,7 +30,7 @@ std::string Line(const std::string& text, int index) {
   return line;
 }
 
-/// The table's line for a feature, spelt out here anew.
+/// Formats the table line of a feature independently of the code under test.
 std::string TableLine(const orb::Keypoint& keypoint, const orb::Descriptor& descriptor) {
   std::string line = fmt::format("{},{},{},{},{},", keypoint.x, keypoint.y, keypoint.octave,
                                  keypoint.angle_deg, keypoint.response);
@@ -38,7 +38,7 @@ std::string TableLine(const orb::Keypoint& keypoint, const orb::Descriptor& desc
   return line;
 }
 
-/// Two images a.png and b.png, b the same scene 7 px to the left.
+/// A fixture with two images a.png and b.png; b.png shows the same scene shifted 7 px to the left.
 class FeatureCommands : public testing::Test {
  protected:
   FeatureCommands() {
@@ -81,7 +81,7 @@ TEST_F(FeatureCommands, FeaturesFollowTheOptions) {
   EXPECT_THAT(ReadText(out_ / "config.yaml"), HasSubstr("num_features: 12\n"));
 }
 
-TEST_F(FeatureCommands, ResultsOfTheSameNameAreRefused) {
+TEST_F(FeatureCommands, ImagesWhoseResultsWouldCollideAreRejected) {
   WriteImage(folder_ / "other/a.png", TinyImage(2));
   const CommandResult result = RunCorvo({"features", a_, folder_ / "other/a.png", "-o", out_});
   EXPECT_EQ(result.exit_code, kBadInput);
@@ -89,7 +89,7 @@ TEST_F(FeatureCommands, ResultsOfTheSameNameAreRefused) {
   EXPECT_FALSE(fs::exists(out_));
 }
 
-TEST_F(FeatureCommands, AnImageThatCannotBeReadLeavesNothingBehind) {
+TEST_F(FeatureCommands, UnreadableImageLeavesNoOutput) {
   WriteText(folder_ / "text.png", "no image");
   const CommandResult result = RunCorvo({"features", a_, folder_ / "text.png", "-o", out_});
   EXPECT_EQ(result.exit_code, kBadInput);
@@ -122,10 +122,10 @@ TEST_F(FeatureCommands, ImagesWithoutFeaturesHaveNoHomography) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("\n0 matches, 0 inliers of a homography\n"));
   EXPECT_EQ(CountLines(ReadText(out_ / "matches.csv")), 1);
-  EXPECT_FALSE(fs::exists(out_ / "homography.txt")) << "is an earlier result's";
+  EXPECT_FALSE(fs::exists(out_ / "homography.txt")) << "left over from the earlier result";
 }
 
-TEST_F(FeatureCommands, SameBytesEveryTime) {
+TEST_F(FeatureCommands, OutputIsReproducible) {
   const fs::path again = folder_ / "again";
   ASSERT_EQ(RunCorvo({"match", a_, b_, "-o", out_}).exit_code, 0);
   ASSERT_EQ(RunCorvo({"match", a_, b_, "-o", again}).exit_code, 0);

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 constexpr const char* kTumLine = "1 0 0 0 0 0 0 1\n";
 constexpr const char* kBodyLine = "1000000000,1,2,3,1,0,0,0,9,9,9\n";
 
-/// The body's x, y and z axes are the camera's z, -x and -y axes; the camera sits at (0.5, 0, 0).
+/// The body's x, y and z axes are the camera's z, -x and -y axes; the camera is at (0.5, 0, 0).
 constexpr const char* kBodyFromCamera = "0, 0, 1, 0.5, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 1";
 
 class GroundTruth : public testing::Test {
@@ -56,7 +56,7 @@ TEST_F(GroundTruth, IsNotFoundElsewhere) {
   EXPECT_EQ(FindGroundTruth(folder_ / "images/0.png"), fs::path());
 }
 
-TEST_F(GroundTruth, OfEurocIsMovedToTheCamera) {
+TEST_F(GroundTruth, EurocBodyPosesAreConvertedToCameraPoses) {
   const fs::path file = Add("mav0/state_groundtruth_estimate0/data.csv", kBodyLine);
   Add("mav0/cam0/sensor.yaml",
       fmt::format("%YAML:1.0\nT_BS:\n  cols: 4\n  rows: 4\n  data: [{}]\n", kBodyFromCamera));
@@ -68,7 +68,7 @@ TEST_F(GroundTruth, OfEurocIsMovedToTheCamera) {
               IsMatrixNear(Eigen::Vector3d(2.5, 2, 3), 1e-12));
 }
 
-TEST_F(GroundTruth, OfTumViIsMovedToTheCamera) {
+TEST_F(GroundTruth, TumViBodyPosesAreConvertedToCameraPoses) {
   const fs::path file = Add("vi/mav0/mocap0/data.csv", kBodyLine);
   Add("vi/dso/camchain.yaml",
       "cam0:\n  T_cam_imu:\n  - [0, -1, 0, 0]\n  - [0, 0, -1, 0]\n  - [1, 0, 0, -0.5]\n"
@@ -77,7 +77,7 @@ TEST_F(GroundTruth, OfTumViIsMovedToTheCamera) {
               IsMatrixNear(Eigen::Vector3d(2.5, 2, 3), 1e-12));
 }
 
-TEST_F(GroundTruth, OfTheBodyNeedsTheCamerasPlace) {
+TEST_F(GroundTruth, BodyPosesRequireTheCameraExtrinsics) {
   const fs::path file = Add("mav0/state_groundtruth_estimate0/data.csv", kBodyLine);
   EXPECT_THAT(
       ErrorOf([&] { ReadGroundTruth(file, {}); }),
@@ -89,7 +89,7 @@ TEST_F(GroundTruth, OfTheBodyNeedsTheCamerasPlace) {
   EXPECT_THAT(ErrorOf([&] { ReadGroundTruth(file, {}); }), HasSubstr("sensor.yaml: "));
 }
 
-TEST_F(GroundTruth, OfKittiHasAPoseForEveryFrame) {
+TEST_F(GroundTruth, KittiPosesMustMatchTheNumberOfFrames) {
   const fs::path file = Add("03.txt", "1 0 0 7 0 1 0 0 0 0 1 0\n1 0 0 8 0 1 0 0 0 0 1 0\n");
   const PoseSequence poses = ReadGroundTruth(file, {5, 9});
   ASSERT_EQ(poses.size(), 2);
@@ -101,7 +101,7 @@ TEST_F(GroundTruth, OfKittiHasAPoseForEveryFrame) {
               HasSubstr("03.txt: 2 poses for a sequence of 3 frames"));
 }
 
-TEST_F(GroundTruth, Of7ScenesIsAFileAFrame) {
+TEST_F(GroundTruth, SevenScenesPosesAreReadFromOneFilePerFrame) {
   const char* matrix = "1 0 0 {}\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
   Add("seq-01/frame-2.pose.txt", fmt::format(fmt::runtime(matrix), 8));
   Add("seq-01/frame-10.pose.txt", fmt::format(fmt::runtime(matrix), 9));
@@ -116,7 +116,7 @@ TEST_F(GroundTruth, Of7ScenesIsAFileAFrame) {
               HasSubstr("frame-11.pose.txt: 3 numbers"));
 }
 
-TEST_F(GroundTruth, OfTumMonoHasGaps) {
+TEST_F(GroundTruth, TumMonoPosesThatAreNanAreSkipped) {
   const fs::path file = Add("groundtruthSync.txt",
                             "1 0 0 0 0 0 0 1\n2 NaN NaN NaN NaN NaN NaN NaN\n3 1 0 0 0 0 0 1\n");
   EXPECT_EQ(ReadGroundTruth(file, {}).size(), 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every example that --help prints is run, in a folder that has the files they name.
+// These tests run every example that --help prints, in a folder with the files that it names.
 
 #include <algorithm>
 #include <regex>
@@ -13,7 +13,7 @@
 namespace corvo::test {
 namespace {
 
-/// The commands printed after "Examples:", without their comments.
+/// Returns the command lines printed after "Examples:".
 std::vector<std::string> ExamplesIn(const std::string& help) {
   std::istringstream lines(help.substr(std::min(help.find("Examples:"), help.size())));
   std::vector<std::string> examples;
@@ -25,7 +25,8 @@ std::vector<std::string> ExamplesIn(const std::string& help) {
 
 class HelpExamples : public testing::TestWithParam<const char*> {
  protected:
-  /// What a run that went well leaves, for the truth that the example compares it with.
+  /// Writes the files that a successful run leaves, for the ground truth that the example compares
+  /// them with.
   void WriteResult(const std::string& example) const {
     const bool euroc = example.find("MH_01") != std::string::npos;
     const std::string poses = euroc ? ExamplePoses(1403636579.763556, 0.05) : ExamplePoses(0, 0.1);
@@ -42,7 +43,7 @@ class HelpExamples : public testing::TestWithParam<const char*> {
   void RunExample(std::string example) const {
     if (example.rfind("corvo eval", 0) == 0) WriteResult(example);
     example = example.substr(0, example.find(" #"));
-    if (example.rfind("corvo synth", 0) == 0) {  // Shorter and smaller than the scenes are.
+    if (example.rfind("corvo synth", 0) == 0) {  // Renders fewer and smaller frames.
       example = std::regex_replace(example, std::regex("--(frames|width) [0-9]+"), "");
       example += " --frames 3 --width 64 --force";
     }
@@ -55,13 +56,13 @@ class HelpExamples : public testing::TestWithParam<const char*> {
   ExampleFolder here_;
 };
 
-TEST_P(HelpExamples, Run) {
+TEST_P(HelpExamples, ExamplesOfTheHelpTextRun) {
   std::vector<std::string> arguments = {"--help"};
   if (*GetParam() != '\0') arguments.insert(arguments.begin(), GetParam());
   const std::vector<std::string> examples = ExamplesIn(RunCorvo(arguments).out);
   EXPECT_FALSE(examples.empty());
   for (const std::string& example : examples) {
-    if (example.find("camera:0") == std::string::npos) RunExample(example);  // None is connected.
+    if (example.find("camera:0") == std::string::npos) RunExample(example);  // No camera here.
   }
 }
 

@@ -37,7 +37,7 @@ TEST(NaturalLess, ComparesRunsOfDigitsAsNumbers) {
   EXPECT_FALSE(NaturalLess("x", "x"));
 }
 
-TEST(NaturalLess, OrdersEqualNumbersByTheirZeros) {
+TEST(NaturalLess, OrdersEqualNumbersByTheirLeadingZeros) {
   EXPECT_NE(NaturalLess("1.png", "01.png"), NaturalLess("01.png", "1.png"));
 }
 
@@ -45,7 +45,7 @@ TEST(NaturalLess, ComparesNumbersTooLongForAnInteger) {
   EXPECT_TRUE(NaturalLess("99999999999999999999998", "99999999999999999999999"));
 }
 
-TEST(FolderSequence, IsInNaturalOrderWithTimesByFrameRate) {
+TEST(FolderSequence, ImagesAreInNaturalOrderWithTimesByFrameRate) {
   TempFolder folder;
   for (const char* name : {"10.png", "9.png", "1.PNG", "2.jpg"}) {
     test::WriteImage(folder / name, TinyImage(0));
@@ -59,7 +59,7 @@ TEST(FolderSequence, IsInNaturalOrderWithTimesByFrameRate) {
   EXPECT_EQ(list.images[3].time_ns, 100000000);
 }
 
-TEST(FolderSequence, LeavesOutDepthImages) {
+TEST(FolderSequence, SkipsDepthImages) {
   TempFolder folder;
   test::WriteImage(folder / "frame-000000.color.png", TinyImage(0));
   test::WriteImage(folder / "frame-000000.depth.png", TinyImage(0));
@@ -67,7 +67,7 @@ TEST(FolderSequence, LeavesOutDepthImages) {
               testing::ElementsAre("frame-000000.color.png"));
 }
 
-TEST(FolderSequence, NamesWhatIsWrongWithTheInput) {
+TEST(FolderSequence, ErrorsNameTheInvalidInput) {
   TempFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOfListing(folder / "missing"), HasSubstr("missing: no such folder"));
@@ -93,7 +93,7 @@ TEST(KittiSequence, ReadsTimesAndCalibration) {
   EXPECT_EQ(*list.camera, expected);
 }
 
-TEST(KittiSequence, NamesBadFiles) {
+TEST(KittiSequence, ErrorsNameTheMalformedFile) {
   TempFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "calib.txt", "P0: 80 0 47.5\n");
@@ -107,7 +107,7 @@ TEST(KittiSequence, NamesBadFiles) {
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("calib.txt: has no row P0:"));
 }
 
-TEST(KittiSequence, WantsOneAscendingTimeAImage) {
+TEST(KittiSequence, RequiresOneAscendingTimePerImage) {
   TempFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "times.txt", "0\n0.1\n");
@@ -119,7 +119,7 @@ TEST(KittiSequence, WantsOneAscendingTimeAImage) {
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("times.txt:2: 'soon'"));
 }
 
-TEST(EurocSequence, IsFoundFromMav0AndFromItsParent) {
+TEST(EurocSequence, IsRecognizedFromMav0AndFromItsParent) {
   TempFolder folder;
   test::WriteEuroc(folder / "mav0", 3);
   for (const std::filesystem::path& input : {folder.path(), folder / "mav0"}) {
@@ -149,7 +149,7 @@ TEST(EurocSequence, ReadsTheSensorsCalibration) {
   EXPECT_EQ(*list.camera, expected);
 }
 
-TEST(EurocSequence, NamesBadFiles) {
+TEST(EurocSequence, ErrorsNameTheMalformedFile) {
   TempFolder folder;
   test::WriteEuroc(folder / "mav0", 2);
   const std::filesystem::path cam0 = folder / "mav0/cam0";
@@ -183,7 +183,7 @@ TEST(TumSequence, ReadsExactTimesAndConvertsColor) {
   EXPECT_LE(cv::norm(second->image, TinyImage(1), cv::NORM_INF), 1.0);
 }
 
-TEST(TumSequence, NamesMissingImagesAndBadLines) {
+TEST(TumSequence, ErrorsNameMissingImagesAndMalformedLines) {
   TempFolder folder;
   test::WriteTum(folder.path(), 2);
   WriteText(folder / "rgb.txt", "# c\n1.5 rgb/none.png\n");
@@ -194,7 +194,7 @@ TEST(TumSequence, NamesMissingImagesAndBadLines) {
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("contains no images"));
 }
 
-TEST(ImageSource, HandsOutEveryImageOnce) {
+TEST(ImageSource, ReturnsEveryImageOnce) {
   TempFolder folder;
   test::WriteFolder(folder.path(), 3);
   ImageSource source(ListImages(folder.path(), kFrameRate));
@@ -207,7 +207,7 @@ TEST(ImageSource, HandsOutEveryImageOnce) {
   EXPECT_FALSE(source.Next());
 }
 
-TEST(ImageSource, NamesAImageThatIsNone) {
+TEST(ImageSource, ErrorNamesAnUnreadableImage) {
   TempFolder folder;
   WriteText(folder / "0.png", "garbage");
   ImageSource source(ListImages(folder.path(), kFrameRate));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything `corvo run` reads beside folders of gray 8-bit images.
+// These tests cover the inputs of `corvo run` other than folders of gray 8-bit images.
 #include <cmath>
 #include <csignal>
 #include <numeric>
@@ -53,7 +53,7 @@ std::vector<int> Indices(const std::vector<TimedImage>& images) {
 
 double Difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
-/// Frames whose gray value tells their number; `count` at 25 Hz.
+/// Writes a video of `count` frames at 25 Hz; the gray value of frame i is 20 i.
 void WriteVideo(const fs::path& file, int count) {
   cv::VideoWriter writer(file.string(), cv::CAP_OPENCV_MJPEG,
                          cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25.0,
@@ -64,7 +64,7 @@ void WriteVideo(const fs::path& file, int count) {
   }
 }
 
-TEST(Glob, TakesMatchingImagesInNaturalOrder) {
+TEST(Glob, ListsMatchingImagesInNaturalOrder) {
   TempFolder folder;
   for (const char* name : {"left10.png", "left9.png", "right1.png"}) {
     test::WriteImage(folder / name, TinyImage(0));
@@ -80,7 +80,7 @@ TEST(Glob, TakesMatchingImagesInNaturalOrder) {
               HasSubstr("up*.png: matches no image"));
 }
 
-TEST(Glob, ReachesIntoSeveralFolders) {
+TEST(Glob, MatchesAcrossSeveralFolders) {
   TempFolder folder;
   test::WriteImage(folder / "b/1.png", TinyImage(0));
   test::WriteImage(folder / "a/2.png", TinyImage(0));
@@ -89,7 +89,7 @@ TEST(Glob, ReachesIntoSeveralFolders) {
   EXPECT_EQ(list.images[0].file, folder / "a/2.png");
 }
 
-TEST(Video, HasItsOwnTimes) {
+TEST(Video, TimestampsComeFromTheVideo) {
   TempFolder folder;
   WriteVideo(folder / "drive.avi", 8);
   const std::vector<TimedImage> images = ReadAll(Open(folder / "drive.avi"));
@@ -98,12 +98,12 @@ TEST(Video, HasItsOwnTimes) {
     EXPECT_EQ(images[i].index, i);
     EXPECT_NEAR(1e-9 * static_cast<double>(images[i].time_ns - images[0].time_ns), 0.04 * i, 1e-6);
     ASSERT_EQ(images[i].image.type(), CV_8UC1);
-    EXPECT_NEAR(cv::mean(images[i].image)[0], 20 * i, 3) << "each frame is kept by itself";
+    EXPECT_NEAR(cv::mean(images[i].image)[0], 20 * i, 3) << "frames must not share memory";
   }
   EXPECT_THAT(images[3].name, HasSubstr("drive.avi, frame 3"));
 }
 
-TEST(Video, FramesASecondOverrideItsTimes) {
+TEST(Video, GivenFrameRateOverridesTheTimestamps) {
   TempFolder folder;
   WriteVideo(folder / "drive.avi", 3);
   const std::vector<TimedImage> images =
@@ -112,7 +112,7 @@ TEST(Video, FramesASecondOverrideItsTimes) {
   EXPECT_EQ(images[2].time_ns, 20000000);
 }
 
-TEST(Video, FramesAreSelected) {
+TEST(Video, SelectionPicksFrames) {
   TempFolder folder;
   WriteVideo(folder / "drive.avi", 8);
   const std::vector<TimedImage> images =
@@ -121,7 +121,7 @@ TEST(Video, FramesAreSelected) {
   EXPECT_NEAR(cv::mean(images[1].image)[0], 80, 3);
 }
 
-TEST(Video, NamesAFileThatIsNone) {
+TEST(Video, ErrorNamesAFileThatIsNoVideo) {
   TempFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOf([&] { Open(folder / "file.txt"); }),
@@ -131,12 +131,12 @@ TEST(Video, NamesAFileThatIsNone) {
               HasSubstr("0.png: is a single image; give its"));
 }
 
-TEST(CameraInput, NamesACameraThatIsNotThere) {
+TEST(CameraInput, ErrorNamesAMissingCamera) {
   EXPECT_THAT(ErrorOf([] { Open("camera:97"); }), HasSubstr("camera:97: there is no such camera"));
   EXPECT_THAT(ErrorOf([] { Open("97"); }), HasSubstr("camera:97: there is no such camera"));
 }
 
-TEST(SelectedImages, KeepTheirTimesAndIndices) {
+TEST(SelectedImages, KeepTheirTimestampsAndIndices) {
   TempFolder folder;
   test::WriteFolder(folder.path(), 10);
   ImageSource source = Open(folder.path(), {.start = 2, .every = 3, .count = 2});
@@ -147,7 +147,7 @@ TEST(SelectedImages, KeepTheirTimesAndIndices) {
   EXPECT_EQ(Difference(images[1].image, TinyImage(5)), 0);
 }
 
-TEST(SelectedImages, AreCounted) {
+TEST(SelectedImages, SizeEqualsTheNumberOfImagesRead) {
   TempFolder folder;
   test::WriteFolder(folder.path(), 10);
   for (const Selection& selection :
@@ -179,7 +179,7 @@ TEST(GrayImage, KeepsTheUpperByteOfSixteenBits) {
   }
 }
 
-TEST(GrayImage, WeighsColors) {
+TEST(GrayImage, WeightsColorChannels) {
   TempFolder folder;
   const cv::Mat color(8, 8, CV_8UC3, cv::Scalar(200, 100, 50));  // B, G, R
   const double expected = 0.114 * 200 + 0.587 * 100 + 0.299 * 50;
@@ -195,13 +195,13 @@ TEST(GrayImage, WeighsColors) {
   EXPECT_NEAR(ToGray(with_alpha, "a").at<std::uint8_t>(4, 4), expected, 1);
 }
 
-TEST(GrayImage, RefusesWhatIsNoImageOfGrayLevels) {
+TEST(GrayImage, RejectsUnsupportedPixelTypes) {
   EXPECT_THAT(
       ErrorOf([] { ToGray(cv::Mat(8, 8, CV_32FC1), "depth.exr"); }),
       HasSubstr("depth.exr: images of type CV_32FC1 are not supported, only 8 and 16 bits"));
 }
 
-TEST(GrayImage, NamesATruncatedImage) {
+TEST(GrayImage, ErrorNamesATruncatedImage) {
   TempFolder folder;
   for (const char* name : {"p.jpg", "p.png"}) {
     test::WriteImage(folder / name, TinyImage(1));
@@ -219,7 +219,8 @@ TEST(GrayImage, NamesATruncatedImage) {
   }
 }
 
-/// TUM-mono: times with exposures, images, and the camera in units of the image.
+/// Writes a TUM-mono sequence: times with exposures, images, and the camera in units of the image
+/// size.
 void WriteTumMono(const fs::path& folder, int count) {
   std::string times;
   for (int i = 0; i < count; ++i) {
@@ -244,14 +245,14 @@ TEST(TumMonoSequence, ReadsTimesAndCamera) {
   expected.height = 64;
   expected.fx = 48;
   expected.fy = 48;
-  expected.cx = 47.5;  // 0.5 is half of the image: between pixels 47 and 48.
+  expected.cx = 47.5;  // 0.5 is the image center, between pixels 47 and 48.
   expected.cy = 31.5;
   expected.omega = 0.9;
   ASSERT_TRUE(list.camera);
   EXPECT_EQ(*list.camera, expected);
 }
 
-TEST(TumMonoSequence, NamesBadFiles) {
+TEST(TumMonoSequence, ErrorsNameTheMalformedFile) {
   TempFolder folder;
   const auto error = [&] { return ErrorOf([&] { ListImages(folder.path(), kFrameRate); }); };
   WriteText(folder / "images.zip", "zip");
@@ -288,7 +289,7 @@ TEST(EurocSequence, EquidistantDistortionIsKb4) {
   EXPECT_EQ(list.camera->p1, 0);
 }
 
-TEST(EurocSequence, TheCalibrationOfTumViLiesBesideMav0) {
+TEST(EurocSequence, TumViCalibrationIsReadFromBesideMav0) {
   TempFolder folder;
   const fs::path room = folder / "dataset-room1_512_16";
   test::WriteEuroc(room / "mav0", 1);
@@ -310,7 +311,7 @@ TEST(EurocSequence, TheCalibrationOfTumViLiesBesideMav0) {
               HasSubstr("camchain.yaml: cam0 is missing"));
 }
 
-TEST(ParseResize, TakesASizeOrAFactor) {
+TEST(ParseResize, AcceptsASizeOrAFactor) {
   const cv::Size size(640, 481);
   EXPECT_EQ(ParseResize("320x200", size), cv::Size(320, 200));
   EXPECT_EQ(ParseResize("0.5", size), cv::Size(320, 241));
@@ -322,7 +323,8 @@ TEST(ParseResize, TakesASizeOrAFactor) {
   }
 }
 
-/// What `corvo run` makes of a folder of six tiny images and further arguments.
+/// A fixture that prepares the inputs of `corvo run` from a folder of six tiny images and further
+/// arguments.
 class PreparedInputs : public testing::Test {
  protected:
   PreparedInputs() {
@@ -357,7 +359,7 @@ TEST_F(PreparedInputs, ResizeScalesTheCameraWithTheImages) {
   EXPECT_NEAR(image.at<std::uint8_t>(5, 10), cv::mean(block)[0], 1);
 }
 
-TEST_F(PreparedInputs, OneMaskIsForAllImages) {
+TEST_F(PreparedInputs, SingleMaskAppliesToAllImages) {
   cv::Mat mask(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(255));
   mask.colRange(0, 48) = 0;
   test::WriteImage(folder_ / "mask.png", mask);
@@ -370,7 +372,7 @@ TEST_F(PreparedInputs, OneMaskIsForAllImages) {
   }
 }
 
-TEST_F(PreparedInputs, AFolderHasAMaskForEachImageByName) {
+TEST_F(PreparedInputs, FolderOfMasksIsMatchedByName) {
   for (int i = 0; i < 6; ++i) {
     test::WriteImage(folder_ / ("masks/" + std::to_string(i) + ".pgm"),
                      cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(10 * i)));
@@ -384,7 +386,7 @@ TEST_F(PreparedInputs, AFolderHasAMaskForEachImageByName) {
               AllOf(HasSubstr("masks: contains no mask for"), HasSubstr("4.png")));
 }
 
-TEST_F(PreparedInputs, AFolderHasAMaskForEachImageInOrder) {
+TEST_F(PreparedInputs, FolderOfMasksWithOtherNamesIsMatchedByOrder) {
   for (int i = 0; i < 5; ++i) {
     test::WriteImage(folder_ / ("masks/mask_" + std::to_string(i) + ".png"),
                      cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(10 * i)));
@@ -398,28 +400,28 @@ TEST_F(PreparedInputs, AFolderHasAMaskForEachImageInOrder) {
   EXPECT_THAT(ErrorOf([&] { Prepared(); }), HasSubstr("5.png"));
 }
 
-TEST_F(PreparedInputs, NamesAMaskOfAnotherSize) {
+TEST_F(PreparedInputs, ErrorNamesAMaskOfAnotherSize) {
   test::WriteImage(folder_ / "mask.png", TinyImage(0, 90, 64));
   arguments_.mask = folder_ / "mask.png";
   EXPECT_THAT(ErrorOf([&] { Prepared(); }),
               AllOf(HasSubstr("mask.png: the mask is 90 x 64 px"), HasSubstr("96 x 64 px")));
 }
 
-TEST_F(PreparedInputs, TakeTheCameraOfTumMono) {
+TEST_F(PreparedInputs, AcceptTheCameraFileOfTumMono) {
   WriteText(folder_ / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n96 64\n");
   arguments_.camera = folder_ / "camera.txt";
   EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given,
             ReadTumMonoCamera(folder_ / "camera.txt"));
 }
 
-TEST_F(PreparedInputs, TheSearchForAFocalLengthCanBeInterrupted) {
+TEST_F(PreparedInputs, FocalSearchCanBeInterrupted) {
   const Interruption interruption;
   raise(SIGINT);
   const StreamOpener open = ToStreamOpener([&] { return Open(arguments_.input); });
   EXPECT_THROW(FindSequenceCamera(open, {}, interruption), Interrupted);
 }
 
-TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {
+TEST_F(PreparedInputs, VideoAcceptsOnlyGroundTruthWithTimestamps) {
   WriteVideo(folder_ / "drive.avi", 3);
   arguments_.input = folder_ / "drive.avi";
   EXPECT_TRUE(ReadInputs(arguments_, Interruption()).truth.poses.empty());
@@ -432,7 +434,7 @@ TEST_F(PreparedInputs, AVideoHasATruthWithTimesOrNone) {
               HasSubstr("kitti.txt: KITTI format has no timestamps"));
 }
 
-TEST(ShippedCameras, AreThoseOfTheDatasets) {
+TEST(ShippedCameras, EqualTheCalibrationsOfTheDatasets) {
   CORVO_REQUIRE_DATA("kitti/sequences/03");
   const auto shipped = [](const char* name) {
     return ReadCameraFile(test::SourceDir() / "configs" / name).camera.parameters();

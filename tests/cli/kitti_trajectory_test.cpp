@@ -21,7 +21,7 @@ TEST(KittiTrajectory, HasARowForEveryFrame) {
   EXPECT_EQ(rows[1].translation().x(), 2);
 }
 
-TEST(KittiTrajectory, SaysWhatIsAgainstIt) {
+TEST(KittiTrajectory, ExplainsWhyATrajectoryCannotBeWritten) {
   EXPECT_EQ(WhyNotKitti({{Posed(0, 1), FrameResult(), Posed(0, 2)}}), "1 of 3 frames have no pose");
   EXPECT_EQ(WhyNotKitti({{Posed(0, 1), Posed(1, 2)}}), "the poses are in 2 segments");
 }

@@ -16,11 +16,11 @@ MarginalizedLandmark At(LandmarkId id, int segment, double x) {
   return {id, segment, {x, 0.5, -1.0 / 3}};
 }
 
-TEST(LandmarkSpool, GivesBackWhatItTook) {
+TEST(LandmarkSpool, ReturnsTheStoredLandmarksInOrder) {
   LandmarkSpool spool;
   spool.ForEach([](const MarginalizedLandmark&) { FAIL(); });
   std::vector<MarginalizedLandmark> given = {At(7, 0, 1), At(3, 2, 1e-9)};
-  for (int round = 0; round < 2; ++round) {  // Reading does not disturb writing.
+  for (int round = 0; round < 2; ++round) {  // Landmarks can be added after reading.
     std::size_t i = 0;
     for (const MarginalizedLandmark& landmark : given) {
       if (round == 0 || landmark.id == 9) spool.Add(landmark);
@@ -39,7 +39,7 @@ TEST(LandmarkSpool, GivesBackWhatItTook) {
   }
 }
 
-TEST(LandmarkSpool, ItsLandmarksAreInTheMapThatIsWritten) {
+TEST(LandmarkSpool, StoredLandmarksAreWrittenToThePly) {
   LandmarkSpool spool;
   spool.Add(At(0, 1, 2));
   Map map(test::MakeModel());

@@ -18,7 +18,7 @@ using ::testing::StartsWith;
 
 constexpr int kBadInput = 1;
 
-/// A folder of three smooth images, full of corners.
+/// A fixture with a folder of three smooth images with many corners.
 class Learn : public testing::Test {
  protected:
   Learn() {
@@ -38,7 +38,7 @@ class Learn : public testing::Test {
   const fs::path pattern_ = folder_ / "pattern.inc";
 };
 
-TEST_F(Learn, WritesAPatternThatTheOptionsTake) {
+TEST_F(Learn, WritesAPatternThatTheOptionsAccept) {
   const CommandResult result = RunLearn({images_, "-o", pattern_, "--source", "a drawing"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("256 tests from 1500 keypoints of 3 images\n"));
@@ -57,7 +57,7 @@ TEST_F(Learn, WritesAPatternThatTheOptionsTake) {
   EXPECT_NE(extract(folder_ / "learned", {"--config", config}), extract(folder_ / "default", {}));
 }
 
-TEST_F(Learn, SameBytesForAnyThreadsAndOrder) {
+TEST_F(Learn, PatternDoesNotDependOnThreadsOrImageOrder) {
   const fs::path again = folder_ / "again.inc";
   ASSERT_EQ(RunLearn({images_, "-o", pattern_, "--threads", "1"}).exit_code, 0);
   ASSERT_EQ(RunLearn({images_ / "2.png", images_ / "0.png", images_ / "1.png", "-o", again,
@@ -67,7 +67,7 @@ TEST_F(Learn, SameBytesForAnyThreadsAndOrder) {
   EXPECT_EQ(ReadText(again), ReadText(pattern_));
 }
 
-TEST_F(Learn, AnEarlierFileIsReplacedByAWholeOneOnly) {
+TEST_F(Learn, EarlierFileIsReplacedOnlyOnSuccess) {
   WriteText(pattern_, "precious");
   EXPECT_EQ(RunLearn({folder_ / "none.png", "-o", pattern_}).exit_code, kBadInput);
   EXPECT_EQ(ReadText(pattern_), "precious");
@@ -77,7 +77,7 @@ TEST_F(Learn, AnEarlierFileIsReplacedByAWholeOneOnly) {
       << "nothing else is left behind";
 }
 
-TEST_F(Learn, ShowsABarOnATerminal) {
+TEST_F(Learn, ShowsAProgressBarOnATerminal) {
   if (!fs::exists("/dev/pts/ptmx")) GTEST_SKIP() << "no pseudo-terminals here";
   const CommandResult shown =
       RunCorvoOnTerminal({"learn", images_, "-o", pattern_, "--keypoints", "1500"});
@@ -86,7 +86,7 @@ TEST_F(Learn, ShowsABarOnATerminal) {
   EXPECT_THAT(shown.err, HasSubstr("256 of 256 tests"));
 }
 
-TEST_F(Learn, BadInputIsNamed) {
+TEST_F(Learn, ErrorsNameTheInvalidInput) {
   const auto expect_error = [&](const std::vector<std::string>& arguments, const char* message) {
     const CommandResult result = RunLearn(arguments);
     EXPECT_EQ(result.exit_code, kBadInput);

@@ -13,7 +13,7 @@ namespace {
 
 using test::TinyImage;
 
-/// A turn by 10 degrees and a little perspective.
+/// A rotation by 10 degrees with slight perspective.
 const cv::Matx33d kSecondFromFirst(0.985, -0.174, 25, 0.174, 0.985, -20, 1e-4, 0, 1);
 
 struct Pair {
@@ -29,7 +29,7 @@ Pair ExtractPair() {
   return {extractor.Extract(smooth), extractor.Extract(second)};
 }
 
-TEST(MatchImagesTest, FindsTheHomographyAndWhoAgreesWithIt) {
+TEST(MatchImagesTest, FindsTheHomographyAndItsInliers) {
   const Pair pair = ExtractPair();
   const ImageMatches images = MatchImages(pair.first, pair.second, 80, 0.8);
   ASSERT_TRUE(images.second_from_first);

@@ -27,7 +27,7 @@ const FrameResult kWaiting = Unposed(State::kInitializing, Reason::kLowParallax)
 const FrameResult kTurned = Unposed(State::kRotationOnly, Reason::kRotationOnly);
 const FrameResult kLost = Unposed(State::kLost, Reason::kTooFewInliers);
 
-TEST(JudgeOutcome, IsDoneWhenTrackedToTheEndFromWhereItBegan) {
+TEST(JudgeOutcome, IsDoneIfTrackedFromInitializationToTheEnd) {
   EXPECT_EQ(JudgeOutcome({{Posed(0), Posed(0)}}), Outcome::kDone);
   EXPECT_EQ(JudgeOutcome({{kWaiting, kWaiting, Posed(0)}}), Outcome::kDone);
 }

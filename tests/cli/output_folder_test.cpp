@@ -27,7 +27,7 @@ TEST(OutputFolder, PutsFilesInPlaceOnCommitOnly) {
   EXPECT_EQ(ReadText(out / "x.txt"), "new");
 }
 
-TEST(OutputFolder, LeavesEarlierResultsAloneWithoutCommit) {
+TEST(OutputFolder, KeepsEarlierResultsWithoutCommit) {
   TempFolder folder;
   WriteText(folder / "x.txt", "old");
   {
@@ -38,13 +38,13 @@ TEST(OutputFolder, LeavesEarlierResultsAloneWithoutCommit) {
   EXPECT_EQ(CountEntries(folder.path()), 1);
 }
 
-TEST(OutputFolder, LeavesNoFolderItMadeWithoutCommit) {
+TEST(OutputFolder, RemovesTheFolderItCreatedWithoutCommit) {
   TempFolder folder;
   { OutputFolder output(folder / "new"); }
   EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
-TEST(OutputFolder, RemovesAnEarlierRunsFilesThatThisOneDoesNotWrite) {
+TEST(OutputFolder, RemovesFilesOfAnEarlierRunThatAreNotWrittenAgain) {
   TempFolder folder;
   WriteText(folder / "image.png", "old");
   WriteText(folder / "users.txt", "kept");
@@ -58,7 +58,7 @@ TEST(OutputFolder, RemovesAnEarlierRunsFilesThatThisOneDoesNotWrite) {
   EXPECT_EQ(CountEntries(folder.path()), 2);
 }
 
-TEST(OutputFolder, HasItsLastFileOnlyWhereTheSetIsWhole) {
+TEST(OutputFolder, LastFileExistsOnlyIfAllOthersWereWritten) {
   TempFolder folder;
   WriteText(folder / "summary.json", "old");
   WriteText(folder / "x.txt/in_the_way", "");
@@ -69,7 +69,7 @@ TEST(OutputFolder, HasItsLastFileOnlyWhereTheSetIsWhole) {
   EXPECT_FALSE(fs::exists(folder / "summary.json"));
 }
 
-TEST(OutputFolder, RefusesAFile) {
+TEST(OutputFolder, RejectsAFileAsFolder) {
   TempFolder folder;
   WriteText(folder / "file", "");
   EXPECT_THAT(test::ErrorOf([&] { OutputFolder output(folder / "file"); }),

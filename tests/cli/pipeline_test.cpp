@@ -20,7 +20,7 @@ constexpr int kFrames = 40;
 constexpr int kDone = 0;
 constexpr int kLost = 3;
 
-/// Lines that are no comments.
+/// Returns the number of lines that are not comments.
 int CountPoses(const fs::path& file) {
   std::istringstream text(ReadText(file));
   int count = 0;
@@ -28,7 +28,7 @@ int CountPoses(const fs::path& file) {
   return count;
 }
 
-/// The z coordinate of the first point of a PLY file.
+/// Returns the z coordinate of the first point of a PLY file.
 double FirstVertex(const fs::path& ply) {
   std::istringstream text(ReadText(ply));
   for (std::string line; std::getline(text, line) && line != "end_header";) {
@@ -38,7 +38,7 @@ double FirstVertex(const fs::path& ply) {
   return z;
 }
 
-/// `corvo synth`, `run` and `eval`, one after the other, on a rendered street.
+/// A fixture that runs `corvo synth`, `run` and `eval` one after the other on a rendered street.
 class Pipeline : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -58,7 +58,7 @@ class Pipeline : public testing::Test {
   }
 
   static fs::path Street() { return *folder_ / "street"; }
-  /// Of a run with the truth and one thread, the first time it is asked for.
+  /// Returns the result folder of a run with ground truth and one thread. The first call runs it.
   static fs::path Result() {
     const fs::path result = *folder_ / "result";
     if (!fs::exists(result)) {
@@ -73,7 +73,7 @@ class Pipeline : public testing::Test {
 
 std::unique_ptr<TempFolder> Pipeline::folder_;
 
-TEST_F(Pipeline, PosesEveryFrameOfAStreet) {
+TEST_F(Pipeline, TracksEveryFrameOfAStreet) {
   EXPECT_EQ(CountPoses(Result() / "trajectory.tum"), kFrames);
   const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   EXPECT_EQ(summary["posed"], kFrames);
@@ -91,7 +91,7 @@ TEST_F(Pipeline, PosesEveryFrameOfAStreet) {
   EXPECT_THAT(ReadText(Result() / "map.ply"), testing::HasSubstr(vertices));
 }
 
-TEST_F(Pipeline, EvalSaysWhatRunSays) {
+TEST_F(Pipeline, EvalAgreesWithRun) {
   const CommandResult eval = RunCorvo({"eval", Result() / "trajectory.tum", Truth(), "--json"});
   const auto measured = nlohmann::json::parse(eval.out);
   const CommandResult again = RunCorvo({"eval", Result(), Result() / "groundtruth.tum", "--json"});
@@ -100,7 +100,7 @@ TEST_F(Pipeline, EvalSaysWhatRunSays) {
   EXPECT_NEAR(measured["ate"]["rmse"], summary["evaluation"]["ate"]["rmse"], 1e-9);
 }
 
-TEST_F(Pipeline, WritesMetersAndDraws) {
+TEST_F(Pipeline, WritesMetersAndDrawsTracks) {
   const fs::path scaled = *folder_ / "scaled";
   ASSERT_EQ(
       RunOn(Street(), scaled, {"--meters-per-unit", "4", "--draw", *folder_ / "tracks"}).exit_code,
@@ -122,7 +122,7 @@ TEST_F(Pipeline, WritesMetersAndDraws) {
   EXPECT_EQ(std::distance(fs::directory_iterator(images), fs::directory_iterator()), kFrames);
 }
 
-TEST_F(Pipeline, WritesTheCameraThatItFoundAndHowSurely) {
+TEST_F(Pipeline, WritesTheEstimatedCameraWithStandardDeviations) {
   const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   const CameraFile found = ReadCameraFile(Result() / "camera_estimated.yaml");
   ASSERT_TRUE(found.sigma);
@@ -133,7 +133,7 @@ TEST_F(Pipeline, WritesTheCameraThatItFoundAndHowSurely) {
   EXPECT_LT(found.sigma->at(1).sigma, CalibrationOptions().k1_sigma);
 }
 
-TEST_F(Pipeline, TakesAFixedCameraAsItIs) {
+TEST_F(Pipeline, FixedCameraIsNotEstimated) {
   const fs::path fixed = *folder_ / "fixed";
   const CommandResult run = RunOn(Street(), fixed, {"--calibration", "fixed"});
   ASSERT_EQ(run.exit_code, kDone) << run.err;
@@ -145,7 +145,7 @@ TEST_F(Pipeline, TakesAFixedCameraAsItIs) {
   EXPECT_EQ(ReadOptions(fixed / "config.yaml").calibration.enabled, false);
 }
 
-TEST_F(Pipeline, RefinesWhatItWrites) {
+TEST_F(Pipeline, RefineChangesTheWrittenResults) {
   const fs::path refined = *folder_ / "refined", again = *folder_ / "refined_again";
   const CommandResult run = RunOn(Street(), refined, {"--gt", Truth(), "--refine"});
   ASSERT_EQ(run.exit_code, kDone) << run.err;
@@ -169,7 +169,7 @@ TEST_F(Pipeline, RefinesWhatItWrites) {
   }
 }
 
-TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
+TEST_F(Pipeline, OutputDoesNotDependOnTheNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);
   for (const char* name : {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv",
@@ -179,7 +179,7 @@ TEST_F(Pipeline, WritesTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-TEST_F(Pipeline, SaysThatItWasLostPartWay) {
+TEST_F(Pipeline, ReportsThatTrackingWasLost) {
   const fs::path dark = *folder_ / "dark";
   fs::copy(Street(), dark, fs::copy_options::recursive);
   std::vector<fs::path> images;

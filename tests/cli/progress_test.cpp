@@ -21,17 +21,17 @@ TEST(ProgressText, HasFrameStateInliersAndRate) {
             "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s");
 }
 
-TEST(ProgressText, OfACameraHasNoEnd) {
+TEST(ProgressText, OfALiveCameraHasNoTotal) {
   EXPECT_EQ(ProgressText(After(100, 0)), "frame 100: tracking, 156 inliers, 32.1 frames/s");
 }
 
-TEST(ShareDone, IsKnownWhereTheEndIs) {
+TEST(ShareDone, IsKnownIfTheNumberOfFramesIs) {
   EXPECT_EQ(ShareDone(After(3, 4)), 0.75);
   EXPECT_EQ(ShareDone(After(4, 4)), 1.0);
   EXPECT_EQ(ShareDone(After(7, 0)), std::nullopt);
 }
 
-TEST(ProgressBar, IsAsLongAsTheShareDone) {
+TEST(ProgressBar, LengthIsProportionalToTheShareDone) {
   EXPECT_EQ(ProgressBar(0.75, "text", 15), "[######..] text");
   EXPECT_EQ(ProgressBar(1.0, "text", 1000), "[##############################] text");
 }
@@ -43,7 +43,7 @@ TEST(ProgressBar, NeverExceedsTheTerminal) {
   }
 }
 
-TEST(ProgressBar, IsLeftOutWithoutAnEnd) {
+TEST(ProgressBar, IsOmittedIfTheShareIsUnknown) {
   EXPECT_EQ(ProgressBar(std::nullopt, "text", 200), "text");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every command of README.md and datasets/README.md is run, in a folder laid out as they say.
+// These tests run every command of README.md and datasets/README.md in a folder with the layout
+// described there.
 
 #include <regex>
 #include <sstream>
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The commands of corvo and evo in blocks of shell, without comments.
+/// Returns the corvo and evo commands in shell code blocks, without comments.
 std::vector<std::string> CommandsIn(const std::string& markdown) {
   std::istringstream lines(markdown);
   std::vector<std::string> commands;
@@ -30,8 +31,8 @@ std::vector<std::string> CommandsIn(const std::string& markdown) {
 
 class ReadmeCommands : public testing::TestWithParam<const char*> {
  protected:
-  /// Of the frames of a sequence that shows nothing, none has a pose: as a run without a fault
-  /// would leave it, the estimate is the truth that the run found.
+  /// Runs a sequence. Its images show no scene, so that no frame has a pose; the ground truth that
+  /// the run found is copied as the estimate, as if the run had been perfect.
   void RunSequence(const std::string& command) const {
     here_.ExpectRuns(command);
     const fs::path result = here_ / command.substr(command.find("-o ") + 3);
@@ -42,7 +43,7 @@ class ReadmeCommands : public testing::TestWithParam<const char*> {
     WriteText(result / "trajectory.kitti", "");
   }
 
-  /// evo itself is run in a test of its own: here, that there are the files it is given.
+  /// Checks that the files in an evo command exist. evo_test.cpp runs evo itself.
   void ExpectFiles(const std::string& command) const {
     std::istringstream words(command);
     for (std::string word; words >> word;) {
@@ -64,7 +65,7 @@ class ReadmeCommands : public testing::TestWithParam<const char*> {
   ExampleFolder here_;
 };
 
-TEST_P(ReadmeCommands, Run) {
+TEST_P(ReadmeCommands, CommandsOfTheReadmeRun) {
   const auto commands = CommandsIn(ReadText(SourceDir() / GetParam()));
   EXPECT_GE(commands.size(), 4u);
   std::vector<std::string> of_any_result;

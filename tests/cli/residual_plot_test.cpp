@@ -9,7 +9,8 @@
 namespace corvo {
 namespace {
 
-/// One view at the origin, which sees points where they are, but for an error.
+/// Returns a bundle with one view at the origin that observes points at `pixels` with an error of
+/// `error_px`.
 Bundle Seen(const std::vector<Eigen::Vector2d>& pixels, const Eigen::Vector2d& error_px) {
   Bundle bundle;
   bundle.views.push_back({0, false, SE3().data()});
@@ -22,7 +23,7 @@ Bundle Seen(const std::vector<Eigen::Vector2d>& pixels, const Eigen::Vector2d& e
   return bundle;
 }
 
-TEST(MeanResidualsTest, AreThoseOfTheirCell) {
+TEST(MeanResidualsTest, AreAveragedPerCell) {
   std::vector<Bundle> bundles{Seen({{10, 10}, {12, 30}}, {0.5, -0.25}), Seen({{630, 470}}, {1, 2})};
   const auto cells = MeanResiduals(test::PinholeCamera(), bundles, 4, 3);
   ASSERT_EQ(cells.size(), 12);
@@ -40,7 +41,7 @@ TEST(MeanResidualsTest, OutliersDoNotCount) {
   EXPECT_EQ(MeanResiduals(test::PinholeCamera(), bundles, 1, 1)[0].count, 0);
 }
 
-TEST(ResidualPlotScriptTest, DrawsCellsWithEnoughOfThem) {
+TEST(ResidualPlotScriptTest, DrawsCellsWithEnoughResiduals) {
   const std::string script = ResidualPlotScript(
       test::PinholeCamera(), {{{100, 50}, {0.5, 0}, 5}, {{200, 60}, {0.1, 0.1}, 4}});
   EXPECT_THAT(script, testing::HasSubstr("\n100.00 50.00 26.667 0.000 5\n"));  // 640 px / 24.

@@ -40,7 +40,7 @@ int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// A folder of five images that show nothing in common, and a camera file for them.
+/// A fixture with a folder of five unrelated images and a camera file for them.
 class Run : public testing::Test {
  protected:
   Run() {
@@ -48,7 +48,7 @@ class Run : public testing::Test {
     WriteText(camera_, kCamera);
   }
 
-  /// `corvo run <images> --camera <camera> -o <result>` and further arguments.
+  /// Runs `corvo run <images> --camera <camera> -o <result>` with further arguments.
   CommandResult RunHere(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"run", images_, "--camera", camera_, "-o", result_};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -72,7 +72,7 @@ class Run : public testing::Test {
   const fs::path result_ = folder_ / "result";
 };
 
-TEST_F(Run, WithoutAPoseSaysSoAndWhy) {
+TEST_F(Run, WithoutAPoseReportsTheReasons) {
   const CommandResult result = RunHere();
   EXPECT_EQ(result.exit_code, kNeverInitialized);
   EXPECT_THAT(result.out, AllOf(HasSubstr("never initialized"), HasSubstr("5 frames, 0 posed"),
@@ -100,17 +100,17 @@ TEST_F(Run, WithoutAPoseHasNothingToEvaluate) {
   EXPECT_FALSE(Summary().contains("evaluation"));
 }
 
-TEST_F(Run, RefusesTheTruthOfAnotherTime) {
+TEST_F(Run, RejectsGroundTruthOfAnotherTime) {
   WriteText(folder_ / "gt.txt", "1000 0 0 0 0 0 0 1\n");
   ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: no pose within 0.016666666 s");
 }
 
-TEST_F(Run, RefusesTruthOfAnotherNumberOfFrames) {
+TEST_F(Run, RejectsGroundTruthOfAnotherNumberOfFrames) {
   WriteText(folder_ / "gt.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   ExpectError(RunHere({"--gt", folder_ / "gt.txt"}), "gt.txt: 1 poses for a sequence of 5 frames");
 }
 
-TEST_F(Run, FindsTheTruthInTheDatasetsLayout) {
+TEST_F(Run, FindsTheGroundTruthInTheDatasetsLayout) {
   WriteTum(folder_ / "tum", 2);
   const std::vector<std::string> arguments = {"run", folder_ / "tum", "--camera", camera_,
                                               "-o",  result_};
@@ -126,7 +126,7 @@ TEST_F(Run, FindsTheTruthInTheDatasetsLayout) {
   EXPECT_THAT(RunCorvo(none).err, Not(HasSubstr("ground truth")));
 }
 
-TEST_F(Run, AccountsForEveryFrame) {
+TEST_F(Run, LogsEveryFrame) {
   RunHere({"--fps", "10"});
   const std::string table = ReadText(result_ / "frames.csv");
   EXPECT_EQ(CountLines(table), 6);
@@ -142,11 +142,11 @@ TEST_F(Run, AccountsForEveryFrame) {
   EXPECT_EQ(summary["layout"], "folder");
   EXPECT_EQ(summary["camera"]["fx"], 80.0);
   EXPECT_EQ(summary["calibration"]["fx"]["given"], 80.0);
-  EXPECT_EQ(summary["calibration"]["k1"]["value"], 0.0) << "nothing was posed";
+  EXPECT_EQ(summary["calibration"]["k1"]["value"], 0.0) << "no frame has a pose";
   EXPECT_EQ(ReadCameraFile(result_ / "camera_estimated.yaml").camera.fx(), 80.0);
 }
 
-TEST_F(Run, WritesTheSameBytesWithAnyNumberOfThreads) {
+TEST_F(Run, OutputDoesNotDependOnTheNumberOfThreads) {
   RunHere({"--threads", "1"});
   std::vector<std::string> first;
   for (const char* name : kReproducibleFiles) first.push_back(ReadText(result_ / name));
@@ -183,7 +183,7 @@ TEST_F(Run, WorksWithoutGnuplot) {
   EXPECT_FALSE(fs::exists(result_ / "trajectory.png"));
 }
 
-TEST_F(Run, RecognisesEveryLayout) {
+TEST_F(Run, RecognizesEveryLayout) {
   WriteKitti(folder_ / "kitti", 2);
   WriteEuroc(folder_ / "euroc/mav0", 2);
   WriteTum(folder_ / "tum", 2);
@@ -197,7 +197,7 @@ TEST_F(Run, RecognisesEveryLayout) {
   }
 }
 
-TEST_F(Run, WantsACameraWhereTheDatasetShipsNone) {
+TEST_F(Run, RequiresACameraIfTheDatasetShipsNone) {
   ExpectError(RunCorvo({"run", images_, "-o", result_}),
               "ships no calibration; give --camera FILE, or --focal auto");
   for (int i = 0; i < 5; ++i) {
@@ -206,7 +206,7 @@ TEST_F(Run, WantsACameraWhereTheDatasetShipsNone) {
   ExpectError(RunCorvo({"run", images_, "-o", result_}), "tum_fr1.yaml");
 }
 
-TEST_F(Run, RefusesTheFocalSearchWhereItCannotBe) {
+TEST_F(Run, RejectsTheFocalSearchOfALiveOrCalibratedCamera) {
   ExpectError(RunCorvo({"run", "camera:97", "--focal", "auto", "-o", result_}),
               "--focal auto: camera:97 is a live camera");
   EXPECT_THAT(RunHere({"--focal", "auto"}).err, HasSubstr("--camera excludes --focal"));
@@ -214,16 +214,16 @@ TEST_F(Run, RefusesTheFocalSearchWhereItCannotBe) {
               HasSubstr("--focal"));
 }
 
-TEST_F(Run, SaysThatImagesDoNotDetermineTheFocalLength) {
+TEST_F(Run, WarnsIfImagesDoNotDetermineTheFocalLength) {
   const CommandResult run = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
   EXPECT_EQ(run.exit_code, kNeverInitialized);
   EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 image pairs)"));
   const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
-  EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // 70 degrees of 96 px.
+  EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // A field of view of 70 degrees over 96 px.
 }
 
-/// Images of a rendered room alone, without their camera.
+/// The images of a rendered room are given without their camera file.
 TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   const int every = 6;
   RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100"});
@@ -234,7 +234,7 @@ TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 525, 0.1 * 525);
-  EXPECT_NEAR(summary["camera"]["cx"], 319.5, 6.4);  // To within a hundredth of the width.
+  EXPECT_NEAR(summary["camera"]["cx"], 319.5, 6.4);  // Within 1% of the image width.
   std::vector<std::string> with_threads = arguments;
   with_threads.back() = result_ / "again";
   with_threads.insert(with_threads.end(), {"--threads", "2"});
@@ -242,7 +242,7 @@ TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   EXPECT_EQ(ReadFile(result_ / "trajectory.tum"), ReadFile(result_ / "again/trajectory.tum"));
 }
 
-TEST_F(Run, NamesBadInput) {
+TEST_F(Run, ErrorsNameTheInvalidInput) {
   ExpectError(RunCorvo({"run", folder_ / "none", "-o", result_}), "none: no such folder");
   ExpectError(RunHere({"--gt", folder_ / "none.txt"}), "none.txt");
   ExpectError(RunHere({"--config", folder_ / "none.yaml"}), "none.yaml");
@@ -253,7 +253,7 @@ TEST_F(Run, NamesBadInput) {
   EXPECT_FALSE(fs::exists(result_));
 }
 
-TEST_F(Run, NamesAImageOfTheWrongSize) {
+TEST_F(Run, ErrorNamesAnImageOfTheWrongSize) {
   WriteImage(images_ / "3.png", TinyImage(3, 80, 60));
   ExpectError(RunHere(), "3.png: the image is 80 x 60 px, the camera 96 x 64 px");
 }
@@ -274,20 +274,20 @@ TEST_F(Run, ResizesImagesAndCamera) {
   ExpectError(RunHere({"--resize", "small"}), "--resize 'small'");
 }
 
-TEST_F(Run, HasNoFeaturesUnderTheMask) {
+TEST_F(Run, DetectsNoFeaturesUnderTheMask) {
   WriteImage(folder_ / "mask.png", cv::Mat::zeros(64, 96, CV_8UC1));
   RunHere({"--mask", folder_ / "mask.png"});
   EXPECT_EQ(Summary()["reasons"]["too_few_features"], 5) << Summary();
   ExpectError(RunHere({"--mask", folder_ / "none.png"}), "none.png");
 }
 
-TEST_F(Run, ReadsAPattern) {
+TEST_F(Run, ReadsImagesMatchingAGlobPattern) {
   RunCorvo({"run", images_ / "[12].png", "--camera", camera_, "-o", result_});
   EXPECT_EQ(Summary()["frames"], 2);
   EXPECT_EQ(Summary()["layout"], "glob");
 }
 
-TEST_F(Run, RefusesAnOutputThatIsAFile) {
+TEST_F(Run, RejectsAnOutputThatIsAFile) {
   WriteText(result_, "precious");
   ExpectError(RunHere(), "result: the output folder is a file");
   EXPECT_EQ(ReadText(result_), "precious");
@@ -325,7 +325,7 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItIsInterrupted) {
   EXPECT_EQ(std::distance(fs::directory_iterator(result_), fs::directory_iterator()), 1);
 }
 
-TEST_F(Run, ShowsABarOnATerminalOnly) {
+TEST_F(Run, ShowsAProgressBarOnATerminalOnly) {
   if (!std::filesystem::exists("/dev/pts/ptmx")) GTEST_SKIP() << "no pseudo-terminals here";
   const std::vector<std::string> arguments = {"run", images_, "--camera", camera_, "-o", result_};
   const CommandResult shown = RunCorvoOnTerminal(arguments);
@@ -335,7 +335,7 @@ TEST_F(Run, ShowsABarOnATerminalOnly) {
   EXPECT_THAT(RunCorvo(arguments).err, IsEmpty());
 }
 
-/// `corvo run` on 200 images of a kitchen with this focal length; 585 px is published.
+/// Runs `corvo run` on 200 images of a kitchen with this focal length; the published one is 585 px.
 CommandResult RunKitchen(const fs::path& folder, double focal_px,
                          const std::string& calibration = "estimate") {
   const std::string focal = std::to_string(focal_px);

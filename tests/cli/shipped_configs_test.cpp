@@ -25,7 +25,7 @@ bool IsCamera(const fs::path& file) {
   return false;
 }
 
-/// The shipped files of cameras, or of options.
+/// Returns the names of the shipped camera files if `cameras`, else those of the option files.
 std::vector<std::string> Shipped(bool cameras) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(SourceDir() / "configs")) {
@@ -51,7 +51,7 @@ class ShippedConfig : public testing::TestWithParam<std::string> {
 class ShippedOptions : public ShippedConfig {};
 class ShippedCamera : public ShippedConfig {};
 
-TEST_P(ShippedOptions, WorkWithEveryCommandThatTakesThem) {
+TEST_P(ShippedOptions, WorkWithEveryCommandThatAcceptsThem) {
   const fs::path images = folder_ / "images";
   const fs::path out = folder_ / "out";
   WriteFolder(images, 2);
@@ -86,7 +86,7 @@ TEST_P(ShippedCamera, RunsOnImagesOfItsSize) {
 INSTANTIATE_TEST_SUITE_P(Configs, ShippedOptions, testing::ValuesIn(Shipped(false)), TestName);
 INSTANTIATE_TEST_SUITE_P(Configs, ShippedCamera, testing::ValuesIn(Shipped(true)), TestName);
 
-TEST(ShippedOptionsTest, Orb2011IsTheArticles) {
+TEST(ShippedOptionsTest, Orb2011HasTheValuesOfTheArticle) {
   const auto options = ReadOptions(test::SourceDir() / "configs/orb_2011.yaml").extractor;
   EXPECT_EQ(options.num_features, 500);
   EXPECT_EQ(options.num_levels, 5);
@@ -94,7 +94,7 @@ TEST(ShippedOptionsTest, Orb2011IsTheArticles) {
   EXPECT_EQ(options.ranking, orb::Ranking::kHarris);
   EXPECT_FALSE(options.grid);
   EXPECT_EQ(options.orientation_bins, 30);
-  EXPECT_EQ(options.fast_threshold, options.min_fast_threshold) << "Harris alone ranks";
+  EXPECT_EQ(options.fast_threshold, options.min_fast_threshold) << "only Harris ranks corners";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// `corvo synth <scene> -o <folder>`, tiny and short, and further arguments.
+/// Runs `corvo synth <scene> -o <folder>` for two frames with further arguments.
 CommandResult Synth(const std::string& scene, const std::filesystem::path& folder,
                     const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = {"synth", scene, "-o", folder, "--frames", "2"};
@@ -19,7 +19,7 @@ CommandResult Synth(const std::string& scene, const std::filesystem::path& folde
   return RunCorvo(arguments);
 }
 
-TEST(Synth, TellsWhatItRendered) {
+TEST(Synth, WritesTheParametersOfTheSequence) {
   const TempFolder folder;
   const CommandResult result =
       Synth("corridor", folder.path(),
@@ -34,7 +34,7 @@ TEST(Synth, TellsWhatItRendered) {
             HasSubstr("vignetting: 0.5\n"), HasSubstr("moving_share: 0.25\n")));
 }
 
-TEST(Synth, FilmsThroughAnyCamera) {
+TEST(Synth, RendersThroughAnyCamera) {
   const TempFolder folder;
   const std::string camera =
       "model: kb4\nwidth: 80\nheight: 60\nfx: 40\nfy: 40\ncx: 39.5\ncy: 29.5\n"
@@ -50,10 +50,10 @@ TEST(Synth, EurocSequencesNeedNoCameraFile) {
   const TempFolder folder;
   ASSERT_EQ(Synth("wall", folder / "wall", {"--width", "96", "--layout", "euroc"}).exit_code, 0);
   const CommandResult run = RunCorvo({"run", folder / "wall/mav0", "-o", folder / "result"});
-  EXPECT_EQ(run.exit_code, 2) << run.err;  // Two frames: no pose yet.
+  EXPECT_EQ(run.exit_code, 2) << run.err;  // Two frames yield no pose.
 }
 
-TEST(Synth, ValuesOutOfRangeAreNamed) {
+TEST(Synth, ErrorsNameValuesOutOfRange) {
   const TempFolder folder;
   for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "exposure_drift is 9"},
                                                {"--moving", "1", "moving_share is 1"},

@@ -11,7 +11,7 @@
 
 namespace corvo::test {
 
-/// A fresh folder that goes away with the object.
+/// A new temporary folder that is removed with the object.
 class TempFolder {
  public:
   TempFolder() {
@@ -33,7 +33,7 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
-/// Writes a file and the folders it needs.
+/// Writes a file and creates its parent folders.
 inline void WriteText(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << text;

@@ -15,7 +15,7 @@ namespace corvo::test {
 inline constexpr int kTinyWidth = 96;
 inline constexpr int kTinyHeight = 64;
 
-/// A gray image with a seeded random texture.
+/// Returns a gray image with a seeded random texture.
 inline cv::Mat TinyImage(int seed, int width = kTinyWidth, int height = kTinyHeight) {
   cv::Mat image(height, width, CV_8UC1);
   cv::RNG rng(static_cast<std::uint64_t>(seed) + 1);
@@ -23,7 +23,8 @@ inline cv::Mat TinyImage(int seed, int width = kTinyWidth, int height = kTinyHei
   return image;
 }
 
-/// The same, smoothed and of full contrast: its corners are found again in other views.
+/// Like TinyImage(), but smoothed and of full contrast, so that its corners are also detected in
+/// other views.
 inline cv::Mat SmoothImage(int seed, int width, int height) {
   cv::Mat image = TinyImage(seed, width, height);
   cv::GaussianBlur(image, image, cv::Size(), 3, 3);
@@ -36,12 +37,12 @@ inline void WriteImage(const std::filesystem::path& file, const cv::Mat& image) 
   ASSERT_TRUE(cv::imwrite(file.string(), image)) << file;
 }
 
-/// Images 0.png, 1.png, ...
+/// Writes images 0.png, 1.png, ...
 inline void WriteFolder(const std::filesystem::path& folder, int count) {
   for (int i = 0; i < count; ++i) WriteImage(folder / (std::to_string(i) + ".png"), TinyImage(i));
 }
 
-/// A KITTI odometry sequence at 10 Hz with fx 80, fy 81, cx 47.5, cy 31.5.
+/// Writes a KITTI odometry sequence at 10 Hz with fx 80, fy 81, cx 47.5, cy 31.5.
 inline void WriteKitti(const std::filesystem::path& folder, int count) {
   std::string times;
   for (int i = 0; i < count; ++i) {
@@ -53,7 +54,7 @@ inline void WriteKitti(const std::filesystem::path& folder, int count) {
             "P0: 80 0 47.5 0 0 81 31.5 0 0 0 1 0\nP1: 80 0 47.5 -9 0 81 31.5 0 0 0 1 0\n");
 }
 
-/// sensor.yaml as the dataset has it, with the size of the tiny images.
+/// Returns a sensor.yaml like the dataset's, with the size of the tiny images.
 inline std::string EurocSensor() {
   return "%YAML:1.0\n# General sensor definitions.\nsensor_type: camera\n"
          "T_BS:\n  cols: 4\n  rows: 4\n  data: [1.0, 0.0, 0.0, 0.0,\n"
@@ -64,7 +65,7 @@ inline std::string EurocSensor() {
          "distortion_coefficients: [-0.28, 0.07, 0.0002, 1.76e-05]\n";
 }
 
-/// A EuRoC `mav0` at 20 Hz, with the dataset's Windows line ends.
+/// Writes a EuRoC `mav0` folder at 20 Hz, with Windows line ends as in the dataset.
 inline void WriteEuroc(const std::filesystem::path& mav0, int count) {
   std::string table = "#timestamp [ns],filename\r\n";
   for (int i = 0; i < count; ++i) {
@@ -76,7 +77,7 @@ inline void WriteEuroc(const std::filesystem::path& mav0, int count) {
   WriteText(mav0 / "cam0" / "sensor.yaml", EurocSensor());
 }
 
-/// A TUM RGB-D sequence at 25 Hz, in color.
+/// Writes a TUM RGB-D sequence at 25 Hz, in color.
 inline void WriteTum(const std::filesystem::path& folder, int count) {
   std::string table = "# color images\n# timestamp filename\n";
   for (int i = 0; i < count; ++i) {

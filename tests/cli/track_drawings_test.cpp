@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a gray image, with a keypoint at (20, 20) that sees landmark 7 and one at (60, 20) that
-/// sees none.
+/// Returns a frame with a keypoint at (20, 20) that observes landmark 7 and one at (60, 20) that
+/// observes none.
 Frame TwoKeypoints() {
   Frame frame;
   frame.features.keypoints.resize(2);
@@ -26,13 +26,13 @@ Frame TwoKeypoints() {
 
 const cv::Mat kImage(100, 200, CV_8UC1, cv::Scalar(40));
 
-/// How far a pixel is from gray.
+/// Returns the difference between the largest and the smallest channel of a pixel: 0 for gray.
 int Color(const cv::Mat& image, int x, int y) {
   const auto& pixel = image.at<cv::Vec3b>(y, x);
   return std::max({pixel[0], pixel[1], pixel[2]}) - std::min({pixel[0], pixel[1], pixel[2]});
 }
 
-TEST(DrawTracks, MarksWhatSeesALandmark) {
+TEST(DrawTracks, MarksKeypointsThatObserveALandmark) {
   const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {});
   ASSERT_EQ(image.size(), kImage.size());
   EXPECT_GT(Color(image, 23, 20), 50);
@@ -41,13 +41,13 @@ TEST(DrawTracks, MarksWhatSeesALandmark) {
   EXPECT_EQ(image.at<cv::Vec3b>(20, 40), cv::Vec3b(40, 40, 40));
 }
 
-TEST(DrawTracks, ShowsWhereALandmarkCameFrom) {
+TEST(DrawTracks, DrawsALineFromTheEarlierPixelOfALandmark) {
   const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {{7, {50, 20}}, {8, {100, 60}}});
   EXPECT_GT(Color(image, 40, 20), 50);
   EXPECT_EQ(Color(image, 100, 60), 0);
 }
 
-TEST(TrackDrawings, AreNumberedAsTheFrames) {
+TEST(TrackDrawings, AreNumberedLikeTheFrames) {
   test::TempFolder folder;
   TrackDrawings images(folder / "a/b");
   FrameResult result;
@@ -56,7 +56,7 @@ TEST(TrackDrawings, AreNumberedAsTheFrames) {
   EXPECT_EQ(cv::imread((folder / "a/b/000042.jpg").string()).size(), kImage.size());
 }
 
-TEST(TrackDrawings, NeedAFolder) {
+TEST(TrackDrawings, RequireAFolder) {
   TrackDrawings("").Add(kImage, TwoKeypoints(), {});
   test::TempFolder folder;
   test::WriteText(folder / "file", "");

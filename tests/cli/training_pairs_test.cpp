@@ -22,14 +22,14 @@ bool SameBytes(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && cv::norm(a, b, cv::NORM_L1) == 0;
 }
 
-TEST(MakeTrainingViewTest, IsTheImageWhereItsHomographySays) {
+TEST(MakeTrainingViewTest, PixelsLieWhereTheHomographyMapsThem) {
   cv::Mat image(200, 300, CV_8UC1, cv::Scalar(0));
   cv::circle(image, {210, 60}, 9, cv::Scalar(255), cv::FILLED);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const TrainingView view = MakeTrainingView(image, seed);
     const cv::Point2d expected = Apply(view.view_from_image, 210, 60);
     const cv::Rect around(static_cast<int>(expected.x) - 20, static_cast<int>(expected.y) - 20, 41,
-                          41);  // Elsewhere may be mirror images.
+                          41);  // Mirror images may lie elsewhere.
     const cv::Moments moments = cv::moments(view.image(around) > 128, true);
     ASSERT_GT(moments.m00, 50);
     EXPECT_NEAR(around.x + moments.m10 / moments.m00, expected.x, 0.5) << "seed " << seed;
@@ -37,7 +37,7 @@ TEST(MakeTrainingViewTest, IsTheImageWhereItsHomographySays) {
   }
 }
 
-TEST(MakeTrainingViewTest, ShowsTheWholeImage) {
+TEST(MakeTrainingViewTest, ContainsTheWholeImage) {
   const cv::Mat image = SmoothImage(1, 160, 120);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const TrainingView view = MakeTrainingView(image, seed);
@@ -59,7 +59,8 @@ TEST(MakeTrainingViewTest, DependsOnTheSeedAlone) {
 
 class FindAgainTest : public testing::Test {
  protected:
-  /// Indices into `second` of what is found for one keypoint at (100, 50), enlarged by `zoom`.
+  /// Returns the keypoints of `second` that are found again for one keypoint at (100, 50) if the
+  /// view is enlarged by `zoom`.
   std::vector<orb::Keypoint> Find(int octave, double zoom,
                                   const std::vector<orb::Keypoint>& second) const {
     const std::vector<orb::Keypoint> first = {{100, 50, 0, 0, octave}};
@@ -70,7 +71,7 @@ class FindAgainTest : public testing::Test {
   const std::vector<double> octave_scales_ = orb::OctaveScales(8, 1.2);
 };
 
-TEST_F(FindAgainTest, TheNearestWithinTwoPixels) {
+TEST_F(FindAgainTest, FindsTheNearestWithinTwoPixels) {
   const orb::Keypoint near{100.5F, 50, 0, 0, 0};
   const orb::Keypoint nearer{100, 49.75F, 0, 0, 0};
   EXPECT_THAT(Find(0, 1, {near, nearer}), ElementsAre(nearer));
@@ -85,14 +86,14 @@ TEST_F(FindAgainTest, DistancesAreInPixelsOfTheLevel) {
   EXPECT_THAT(Find(4, 1, {{104.3F, 50, 0, 0, 4}}), IsEmpty());
 }
 
-TEST_F(FindAgainTest, AtMostALevelFromTheExpectedScale) {
+TEST_F(FindAgainTest, FindsKeypointsWithinOneLevelOfTheExpectedScale) {
   for (int octave = 0; octave < 8; ++octave) {
     const auto found = Find(3, 1.2, {{120, 60, 0, 0, octave}});
     EXPECT_EQ(found.size(), octave >= 3 && octave <= 5 ? 1U : 0U) << "octave " << octave;
   }
 }
 
-TEST_F(FindAgainTest, WhatTheViewCannotShowIsLeftOut) {
+TEST_F(FindAgainTest, SkipsKeypointsFinerThanTheFinestLevel) {
   EXPECT_THAT(Find(0, 0.5, {{50, 25, 0, 0, 0}}), IsEmpty()) << "finer than the finest level";
 }
 
@@ -101,7 +102,7 @@ TEST(TrainingPairSamplerTest, PairsMostlyLookAlike) {
   const TrainingPairs pairs = TrainingPairSampler({}).Sample(image, 1);
   ASSERT_GT(pairs.first.size(), 50U);
   ASSERT_EQ(pairs.first.size(), pairs.second.size());
-  constexpr int kLeft = 13 * 27;  // of the middle row
+  constexpr int kLeft = 13 * 27;  // Leftmost position of the middle row.
   constexpr int kRight = kLeft + 26;
   int num_agreeing = 0;
   for (std::size_t i = 0; i < pairs.first.size(); ++i) {

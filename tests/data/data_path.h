@@ -5,11 +5,11 @@
 
 namespace corvo::test {
 
-/// Root of the project's sources.
+/// Returns the root of the project's sources.
 std::filesystem::path SourceDir();
 
-/// A file or folder of the test data: below $CORVO_DATA, or `../shared/data` seen from the
-/// project's root. It may not exist.
+/// Returns the path of a file or folder of the test data: below $CORVO_DATA or, if that is unset or
+/// empty, below `../shared/data` relative to the project's root. It may not exist.
 std::filesystem::path DataPath(const std::filesystem::path& relative);
 
 }  // namespace corvo::test

@@ -43,7 +43,7 @@ TEST(AllocationsTest, ExtractingAllocatesNothingAfterTheFirstImage) {
   }
 }
 
-TEST(AllocationsTest, AreCounted) {
+TEST(AllocationsTest, NewIncrementsTheCounter) {
   const int before = num_allocations;
   const auto number = std::make_unique<int>(1);
   EXPECT_EQ(num_allocations, before + 1);

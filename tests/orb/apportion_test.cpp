@@ -26,7 +26,7 @@ TEST(ApportionTest, SharesAreProportional) {
   EXPECT_THAT(Shares(100, {5, 3, 2}, {1000, 1000, 1000}), ElementsAre(50, 30, 20));
 }
 
-TEST(ApportionTest, LargestRemaindersGetTheRest) {
+TEST(ApportionTest, LargestRemaindersGetTheLeftoverUnits) {
   EXPECT_THAT(Shares(10, {34, 33, 33}, {99, 99, 99}), ElementsAre(4, 3, 3));
   EXPECT_THAT(Shares(10, {24, 57, 19}, {99, 99, 99}), ElementsAre(2, 6, 2));  // 2.4, 5.7, 1.9
 }
@@ -35,7 +35,7 @@ TEST(ApportionTest, EqualRemaindersGoToTheLowerIndex) {
   EXPECT_THAT(Shares(5, {1, 1, 1}, {9, 9, 9}), ElementsAre(2, 2, 1));
 }
 
-TEST(ApportionTest, WhatOneCannotTakeGoesToTheOthersInProportion) {
+TEST(ApportionTest, ExcessOverACapacityGoesToTheOthersInProportion) {
   EXPECT_THAT(Shares(100, {5, 3, 2}, {0, 1000, 1000}), ElementsAre(0, 60, 40));
   EXPECT_THAT(Shares(100, {5, 3, 2}, {10, 40, 1000}), ElementsAre(10, 40, 50));
 }
@@ -47,7 +47,7 @@ TEST(ApportionTest, TotalIsBoundedByTheCapacities) {
   EXPECT_THAT(Shares(7, {}, {}), IsEmpty());
 }
 
-TEST(ApportionTest, SumIsExactAndNoCapacityExceeded) {
+TEST(ApportionTest, SumIsExactAndNoCapacityIsExceeded) {
   test::Random random(1);
   for (int run = 0; run < 2000; ++run) {
     const int size = random.UniformInt(1, 9);

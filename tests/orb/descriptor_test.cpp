@@ -13,13 +13,13 @@ namespace {
 
 bool Bit(const Descriptor& descriptor, int i) { return (descriptor.bytes[i / 8] >> (i % 8)) & 1; }
 
-/// Of the center of an image of 43 x 43.
+/// Describes the center of a 43 x 43 image.
 Descriptor DescribeCenter(const cv::Mat& image, const Describer& describer, float angle_deg) {
   const cv::Mat sums = WindowSums(image);
   return describer.Describe(sums.ptr<std::uint16_t>(21) + 21, 43, angle_deg);
 }
 
-/// In direction `bin` of `bins`.
+/// Describes the center of a 43 x 43 image in direction `bin` of `bins`.
 Descriptor DescribeCenter(const cv::Mat& image, int bin, int bins) {
   const Describer describer(MakeBriefPattern(), bins, false);
   return DescribeCenter(image, describer, 360.0F * static_cast<float>(bin) / bins);
@@ -39,24 +39,24 @@ TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
   }
 }
 
-TEST(DescriberTest, UprightHasOneDirection) {
+TEST(DescriberTest, UprightIgnoresTheAngle) {
   const cv::Mat image = test::NoiseImage({43, 43}, 5);
   const Describer upright(MakeBriefPattern(), 30, true);
   EXPECT_EQ(DescribeCenter(image, upright, 0), DescribeCenter(image, 0, 30));
   EXPECT_EQ(DescribeCenter(image, upright, 200), DescribeCenter(image, 0, 30));
 }
 
-TEST(DescriberTest, EqualSumsGiveZero) {
+TEST(DescriberTest, EqualSumsGiveZeroBits) {
   EXPECT_EQ(DescribeCenter(cv::Mat(43, 43, CV_8UC1, cv::Scalar(90)), 0, 30), Descriptor{});
 }
 
-TEST(DescriberTest, GainAndOffsetChangeNothing) {
+TEST(DescriberTest, DescriptorIsInvariantToGainAndOffset) {
   const cv::Mat image = test::NoiseImage({43, 43}, 3) / 4;  // 0 to 64
   const cv::Mat brighter = 3 * image + cv::Scalar(60);      // to 252, nothing saturates
   EXPECT_EQ(DescribeCenter(brighter, 1, 30), DescribeCenter(image, 1, 30));
 }
 
-TEST(DescriberTest, TurnsWithTheImage) {
+TEST(DescriberTest, RotatingImageAndAngleGivesTheSameDescriptor) {
   const cv::Mat image = test::NoiseImage({43, 43}, 4);
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);

@@ -40,7 +40,7 @@ ExtractorOptions WithFeatures(int num_features) {
   return options;
 }
 
-/// Level coordinates of a keypoint, rounded, and how far they are from whole numbers.
+/// The level coordinates of a keypoint, rounded, and their distance from integers.
 struct LevelPixel {
   int x, y;
   double error;
@@ -53,7 +53,7 @@ LevelPixel ToLevel(const Keypoint& keypoint, const PyramidLevel& level) {
   return {static_cast<int>(std::round(x)), static_cast<int>(std::round(y)), error};
 }
 
-/// Counts by means of cv::FAST the corners inside border and mask over all levels.
+/// Counts with cv::FAST the corners of all levels inside the border and the mask.
 int CountCorners(const cv::Mat& image, const cv::Mat& mask = cv::Mat()) {
   int count = 0;
   for (const auto& level : BuildPyramid(image, OctaveScales(8, 1.2))) {
@@ -70,7 +70,7 @@ int CountCorners(const cv::Mat& image, const cv::Mat& mask = cv::Mat()) {
   return count;
 }
 
-/// A mask that keeps a disc, at the given value.
+/// Returns a mask with the given value inside a disc and 0 elsewhere.
 cv::Mat DiscMask(cv::Size size, int value) {
   cv::Mat mask(size, CV_8UC1, cv::Scalar(0));
   for (int y = 0; y < size.height; ++y) {
@@ -84,7 +84,7 @@ cv::Mat DiscMask(cv::Size size, int value) {
   return mask;
 }
 
-/// For some numbers below, at and above that of the corners there are.
+/// Checks the number of features for requests below, at and above the number of corners.
 void ExpectExactlyTheWantedNumber(const cv::Mat& image, const cv::Mat& mask,
                                   std::vector<int> numbers) {
   const int available = CountCorners(image, mask);
@@ -100,7 +100,7 @@ void ExpectExactlyTheWantedNumber(const cv::Mat& image, const cv::Mat& mask,
   }
 }
 
-TEST(ExtractorTest, ReturnsExactlyTheWantedNumberWhereCornersSuffice) {
+TEST(ExtractorTest, ReturnsTheRequestedNumberOrAllCorners) {
   const std::vector<int> numbers = {1, 2, 7, 100, 333, 1000};
   const cv::Mat mask = DiscMask({320, 240}, 1);
   ExpectExactlyTheWantedNumber(NoiseImage({200, 150}, 1), cv::Mat(), numbers);
@@ -109,7 +109,7 @@ TEST(ExtractorTest, ReturnsExactlyTheWantedNumberWhereCornersSuffice) {
   ExpectExactlyTheWantedNumber(ShapesImage({320, 240}, 4, 100, 115), cv::Mat(), numbers);
 }
 
-TEST(ExtractorTest, ReturnsExactlyTheWantedNumberOnRealImages) {
+TEST(ExtractorTest, ReturnsTheRequestedNumberOrAllCornersOnRealImages) {
   CORVO_REQUIRE_DATA("oxford_affine");
   for (const auto& path : test::RealImages()) {
     const cv::Mat image = ReadGray(path);
@@ -119,7 +119,7 @@ TEST(ExtractorTest, ReturnsExactlyTheWantedNumberOnRealImages) {
   }
 }
 
-TEST(ExtractorTest, DefaultNumberDependsOnTheWidthOnly) {
+TEST(ExtractorTest, DefaultNumberOfFeaturesDependsOnTheWidthOnly) {
   EXPECT_EQ(Extractor().Extract(NoiseImage({999, 200}, 5)).keypoints.size(), 1000U);
   EXPECT_EQ(Extractor().Extract(NoiseImage({1000, 200}, 5)).keypoints.size(), 2000U);
 }
@@ -168,7 +168,7 @@ TEST(ExtractorTest, PatchesAreThePixelsAroundKeypoints) {
   }
 }
 
-TEST(ExtractorTest, LevelsShareByArea) {
+TEST(ExtractorTest, GridQuotasAreProportionalToTheLevelArea) {
   std::vector<int> counts(8, 0);
   const Features features = Extractor(WithFeatures(1000)).Extract(NoiseImage({640, 480}, 7));
   for (const auto& keypoint : features.keypoints) ++counts[keypoint.octave];
@@ -181,7 +181,7 @@ TEST(ExtractorTest, LevelsShareByArea) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(counts[i], 1000 * areas[i] / total, 1) << "level " << i;
 }
 
-TEST(ExtractorTest, WithoutAGridQuotasGrowWithTheRootOfALevelsSide) {
+TEST(ExtractorTest, WithoutAGridQuotasAreProportionalToTheRootOfTheLevelSide) {
   ExtractorOptions options;
   options.grid = false;
   const Features features = Extractor(options).Extract(NoiseImage({640, 480}, 7));
@@ -196,7 +196,7 @@ TEST(ExtractorTest, WithoutAGridQuotasGrowWithTheRootOfALevelsSide) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(counts[i], 1000 * roots[i] / total, 1) << "level " << i;
 }
 
-TEST(ExtractorTest, WithoutAGridHarrisChoosesAmongTwiceAsManyOfHighestScore) {
+TEST(ExtractorTest, WithoutAGridHarrisRanksTwiceAsManyFastCorners) {
   ExtractorOptions options;
   options.grid = false;
   options.num_levels = 1;
@@ -218,7 +218,7 @@ TEST(ExtractorTest, WithoutAGridHarrisChoosesAmongTwiceAsManyOfHighestScore) {
   for (const auto& keypoint : chosen.keypoints) EXPECT_GE(keypoint.response, responses[199]);
 }
 
-TEST(ExtractorTest, AnyNonZeroMaskValueKeeps) {
+TEST(ExtractorTest, AnyNonZeroMaskValueKeepsKeypoints) {
   const cv::Mat image = ShapesImage({320, 240}, 8);
   const Features kept = Extractor().Extract(image, DiscMask(image.size(), 255));
   ASSERT_GT(kept.keypoints.size(), 100U);
@@ -227,7 +227,7 @@ TEST(ExtractorTest, AnyNonZeroMaskValueKeeps) {
   EXPECT_EQ(Extractor().Extract(image, all), Extractor().Extract(image));
 }
 
-TEST(ExtractorTest, NothingLiesOutsideTheMask) {
+TEST(ExtractorTest, NoKeypointLiesOutsideTheMask) {
   const cv::Mat image = NoiseImage({320, 240}, 9);
   const cv::Mat mask = DiscMask(image.size(), 1);
   for (const auto& keypoint : Extractor().Extract(image, mask).keypoints) {
@@ -238,7 +238,7 @@ TEST(ExtractorTest, NothingLiesOutsideTheMask) {
   EXPECT_TRUE(Extractor().Extract(image, none).keypoints.empty());
 }
 
-TEST(ExtractorTest, SameBytesForAnyNumberOfThreads) {
+TEST(ExtractorTest, ResultDoesNotDependOnTheNumberOfThreads) {
   for (const Ranking ranking : {Ranking::kFast, Ranking::kHarris}) {
     ExtractorOptions options;
     options.ranking = ranking;
@@ -253,17 +253,17 @@ TEST(ExtractorTest, SameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(ExtractorTest, ViewsOfLargerImagesAreAsCopies) {
+TEST(ExtractorTest, SubmatrixGivesTheSameResultAsItsCopy) {
   const cv::Mat view = ShapesImage({400, 300}, 11)(cv::Rect(17, 9, 301, 222));
   EXPECT_EQ(Extractor().Extract(view), Extractor().Extract(view.clone()));
 }
 
-TEST(ExtractorTest, AnOffsetOfTheImageChangesNothing) {
+TEST(ExtractorTest, BrightnessOffsetChangesNothing) {
   const cv::Mat image = ShapesImage({320, 240}, 12, 0, 200);
   EXPECT_EQ(Extractor().Extract(image + cv::Scalar(55)), Extractor().Extract(image));
 }
 
-/// Index in `features` of the keypoint of `octave` at (x, y), or -1.
+/// Returns the index in `features` of the keypoint of `octave` at (x, y), or -1.
 int FindKeypoint(const Features& features, int octave, double x, double y) {
   for (int i = 0; i < static_cast<int>(features.keypoints.size()); ++i) {
     const Keypoint& keypoint = features.keypoints[i];
@@ -273,7 +273,7 @@ int FindKeypoint(const Features& features, int octave, double x, double y) {
   return -1;
 }
 
-TEST(ExtractorTest, AQuarterTurnTurnsEveryFeature) {
+TEST(ExtractorTest, QuarterTurnOfTheImageRotatesEveryFeature) {
   ExtractorOptions options = WithFeatures(kAll);
   options.orientation_bins = 36;
   const cv::Mat image = ShapesImage({240, 181}, 13);
@@ -309,8 +309,8 @@ std::vector<Match> MatchMutually(const Features& query, const Features& train) {
   return CrossCheck(matches, FindNearest(train.descriptors, query.descriptors));
 }
 
-/// Half the median distance between keypoints and their matches in the image turned by 180
-/// degrees, turned back: the coordinates' bias.
+/// Returns the bias of the coordinates: half the median distance between keypoints and their
+/// matches in the image rotated by 180 degrees, rotated back.
 double HalfTurnBias(const Features& features, const Features& turned, cv::Size size) {
   std::vector<double> residuals;
   for (const Match& match : MatchMutually(features, turned)) {
@@ -339,7 +339,7 @@ TEST(ExtractorTest, CoordinatesHaveNoBiasAtAnyOctave) {
   }
 }
 
-TEST(ExtractorTest, GridSpreadsOverWeakTexture) {
+TEST(ExtractorTest, GridSpreadsKeypointsOverWeakTexture) {
   cv::Mat image = ShapesImage({640, 480}, 14, 0, 255);
   ShapesImage({320, 480}, 15, 105, 140).copyTo(image(cv::Rect(0, 0, 320, 480)));
   const auto count_left = [&](bool grid) {
@@ -372,7 +372,7 @@ TEST(ExtractorTest, UprightUsesTheUnrotatedPattern) {
   EXPECT_EQ(Extractor(options).Extract(image).keypoints, upright.keypoints);
 }
 
-TEST(ExtractorTest, DescribesItsOwnKeypointsAsItFoundThem) {
+TEST(ExtractorTest, DescribeReproducesExtractForItsKeypoints) {
   const cv::Mat image = ShapesImage({400, 300}, 30);
   for (const bool upright : {false, true}) {
     ExtractorOptions options;
@@ -387,7 +387,7 @@ TEST(ExtractorTest, DescribesItsOwnKeypointsAsItFoundThem) {
   }
 }
 
-TEST(ExtractorTest, DescribesAtTheGivenAngleAndMeasuresAMissingOne) {
+TEST(ExtractorTest, DescribeUsesTheGivenAngleAndComputesAMissingOne) {
   const cv::Mat image = ShapesImage({300, 200}, 31);
   const Extractor extractor;
   const Features features = extractor.Extract(image);
@@ -403,7 +403,7 @@ TEST(ExtractorTest, DescribesAtTheGivenAngleAndMeasuresAMissingOne) {
   EXPECT_GT(HammingDistance(described.descriptors[0], features.descriptors[0]), 40);
 }
 
-TEST(ExtractorTest, LeavesOutWhatItCannotDescribe) {
+TEST(ExtractorTest, DescribeSkipsInvalidKeypointsAndThoseNearTheBorder) {
   const cv::Mat image = ShapesImage({120, 100}, 32);
   const float nan = std::nanf("");
   const std::vector<Keypoint> keypoints = {
@@ -420,7 +420,7 @@ TEST(ExtractorTest, LeavesOutWhatItCannotDescribe) {
   EXPECT_THAT([&] { Extractor().Describe(cv::Mat(), keypoints); }, ThrowsError("image is empty"));
 }
 
-TEST(ExtractorTest, OctaveScalesArePowers) {
+TEST(ExtractorTest, OctaveScalesArePowersOfTheScaleFactor) {
   ExtractorOptions options;
   options.num_levels = 3;
   options.scale_factor = 1.5;
@@ -436,7 +436,7 @@ TEST(ExtractorTest, BlankAndTinyImagesHaveNoKeypoints) {
   }
 }
 
-TEST(ExtractorTest, TheSmallestImageWithAKeypoint) {
+TEST(ExtractorTest, SmallestPossibleImageHasOneKeypoint) {
   cv::Mat image(43, 43, CV_8UC1, cv::Scalar(0));
   image.at<std::uint8_t>(21, 21) = 255;
   const Features features = Extractor().Extract(image);
@@ -444,7 +444,7 @@ TEST(ExtractorTest, TheSmallestImageWithAKeypoint) {
   EXPECT_EQ(features.keypoints[0], (Keypoint{21, 21, 0, 254, 0}));
 }
 
-TEST(ExtractorTest, BadInputIsNamed) {
+TEST(ExtractorTest, ErrorsNameTheInvalidInput) {
   const Extractor extractor;
   const cv::Mat image = NoiseImage({100, 80}, 18);
   EXPECT_THAT([&] { extractor.Extract(cv::Mat()); }, ThrowsError("image is empty"));
@@ -458,7 +458,7 @@ TEST(ExtractorTest, BadInputIsNamed) {
   EXPECT_THAT([] { Extractor({}, 0); }, ThrowsError("threads is 0", "1 to 256"));
 }
 
-TEST(ExtractorTest, MatchesAPlaneSeenFromTheSide) {
+TEST(ExtractorTest, MatchesAPlaneUnderViewpointChange) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor(WithFeatures(1000));
   const Features first = extractor.Extract(ReadGray("oxford_affine/graf/img1.ppm"));

@@ -59,7 +59,7 @@ constexpr std::array<std::array<int, 2>, 16> kRing = {{{0, -3},
                                                        {-2, -2},
                                                        {-1, -3}}};
 
-/// A gray image of 100 with an arc of the circle about (3, 3) at another level.
+/// Returns an image of gray level 100 with an arc of the circle about (3, 3) at level `gray`.
 cv::Mat ArcImage(int first, int length, int gray) {
   cv::Mat image(7, 7, CV_8UC1, cv::Scalar(100));
   for (int k = first; k < first + length; ++k) {
@@ -126,7 +126,7 @@ TEST(DetectFastTest, EqualsOpenCvOnRealImages) {
   }
 }
 
-TEST(DetectFastTest, HigherThresholdKeepsThoseOfThatScore) {
+TEST(DetectFastTest, HigherThresholdKeepsCornersOfAtLeastThatScore) {
   const cv::Mat image = test::ShapesImage({300, 200}, 9);
   const auto at_least_20 =
       Keep(DetectFast(image, 7), [](const Corner& c) { return c.score >= 20; });
@@ -134,7 +134,7 @@ TEST(DetectFastTest, HigherThresholdKeepsThoseOfThatScore) {
   EXPECT_EQ(DetectFast(image, 20), at_least_20);
 }
 
-TEST(DetectFastTest, RegionRestrictsTheResultOnly) {
+TEST(DetectFastTest, RegionOnlyFiltersTheResult) {
   const cv::Mat image = test::NoiseImage({150, 90}, 10);
   for (const cv::Rect region : {cv::Rect(21, 21, 108, 48), cv::Rect(0, 0, 150, 90),
                                 cv::Rect(-5, 40, 30, 100), cv::Rect(70, 30, 1, 1)}) {
@@ -144,7 +144,7 @@ TEST(DetectFastTest, RegionRestrictsTheResultOnly) {
   }
 }
 
-TEST(DetectFastTest, ViewsOfLargerImagesAreAsCopies) {
+TEST(DetectFastTest, SubmatrixGivesTheSameResultAsItsCopy) {
   const cv::Mat view = test::NoiseImage({200, 100}, 11)(cv::Rect(13, 9, 111, 60));
   EXPECT_EQ(DetectFast(view, 7), DetectFast(view.clone(), 7));
 }

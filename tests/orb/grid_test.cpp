@@ -15,13 +15,13 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Distinct random corners in row-major order, of few different scores.
+/// Returns distinct random corners in row-major order, with few different scores.
 std::vector<Corner> RandomCorners(const cv::Rect& area, int attempts, std::uint64_t seed) {
   test::Random random(seed);
   std::map<std::pair<int, int>, Corner> corners;
   for (int i = 0; i < attempts; ++i) {
     const int x = random.UniformInt(area.x, area.br().x - 1);
-    // Denser towards the bottom.
+    // The density increases towards the bottom.
     const int y = area.br().y - 1 - random.UniformInt(0, random.UniformInt(0, area.height - 1));
     const int score = random.UniformInt(0, 35);
     corners[{y, x}] = {x, y, score};
@@ -47,8 +47,8 @@ TEST(SelectStrongestTest, TakesTheHighestScoresThenTheLowestIndices) {
   EXPECT_THAT(Strongest(corners, 0), IsEmpty());
 }
 
-TEST(SelectInGridTest, EveryCellGivesItsStrongestFirst) {
-  // Two cells of 10 x 10; the left one has the highest scores.
+TEST(SelectInGridTest, EveryCellContributesItsStrongestFirst) {
+  // There are two cells of 10 x 10; the left one has the highest scores.
   const std::vector<Corner> corners = {{1, 1, 50}, {5, 1, 60}, {15, 1, 8}, {4, 4, 70}, {16, 4, 9}};
   const cv::Rect area(0, 0, 20, 10);
   EXPECT_THAT(SelectInGrid(corners, area, 10, 1), ElementsAre(3));
@@ -67,7 +67,7 @@ TEST(SelectInGridTest, TiesGoToTheLowerIndex) {
   EXPECT_THAT(SelectInGrid(corners, area, 10, 3), ElementsAre(0, 1, 2));
 }
 
-TEST(SelectInGridTest, OneCellIsTheStrongestOfAll) {
+TEST(SelectInGridTest, SingleCellSelectsTheStrongestOverall) {
   const cv::Rect area(21, 21, 200, 150);
   const auto corners = RandomCorners(area, 500, 2);
   for (const int quota : {1, 17, 200}) {
@@ -88,8 +88,8 @@ TEST(SelectInGridTest, PicksExactlyTheQuotaOrAll) {
   }
 }
 
-/// The definition, one corner after another: rounds over the cells while a whole round fits, then
-/// the best of those next in their cells.
+/// Implements the definition one corner after another: rounds over the cells while a whole round
+/// fits, then the best of the cells' next corners.
 std::vector<int> NaiveSelection(const std::vector<Corner>& corners, int columns, int cell_size,
                                 int quota) {
   const auto is_better = [&](int a, int b) {
@@ -115,7 +115,7 @@ std::vector<int> NaiveSelection(const std::vector<Corner>& corners, int columns,
   return chosen;
 }
 
-TEST(SelectInGridTest, IsTheDefinition) {
+TEST(SelectInGridTest, EqualsTheNaiveSelection) {
   const cv::Rect area(0, 0, 160, 96);  // 5 x 3 cells of exactly 32 px
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto corners = RandomCorners(area, 400, seed);
@@ -126,7 +126,7 @@ TEST(SelectInGridTest, IsTheDefinition) {
   }
 }
 
-TEST(SelectInGridTest, NoCellGoesShortWhileAnotherIsFavored) {
+TEST(SelectInGridTest, CellsDifferByAtMostOneUnlessExhausted) {
   const cv::Rect area(0, 0, 320, 160);  // 10 x 5 cells of exactly 32 px
   const auto corners = RandomCorners(area, 1500, 3);
   const auto chosen = SelectInGrid(corners, area, 32, 400);

@@ -33,7 +33,7 @@ TEST(HammingDistanceTest, EveryBitCountsOnce) {
   }
 }
 
-TEST(HammingDistanceTest, OppositesAre256Apart) {
+TEST(HammingDistanceTest, ComplementsAre256Apart) {
   Descriptor ones;
   ones.bytes.fill(0xff);
   EXPECT_EQ(HammingDistance(ones, Descriptor{}), 256);

@@ -11,7 +11,8 @@
 namespace corvo::orb {
 namespace {
 
-/// A dark image with a bright quadrant or half from (20, 20) on.
+/// Returns a dark image with a bright lower right quadrant if `corner`, else with a bright right
+/// half.
 cv::Mat StepImage(bool corner) {
   cv::Mat image(40, 40, CV_8UC1, cv::Scalar(20));
   image(cv::Rect(20, corner ? 20 : 0, 20, corner ? 20 : 40)) = cv::Scalar(220);
@@ -25,7 +26,7 @@ TEST(HarrisResponseTest, FlatIsZeroEdgeNegativeCornerPositive) {
   EXPECT_GT(HarrisResponse(StepImage(true), 20, 20), 0);
 }
 
-TEST(HarrisResponseTest, IsTheDefinitionOverSobelGradients) {
+TEST(HarrisResponseTest, EqualsTheDefinitionWithSobelGradients) {
   const cv::Mat image = test::NoiseImage({40, 30}, 1);
   cv::Mat gx, gy;
   cv::Sobel(image, gx, CV_64F, 1, 0);
@@ -53,7 +54,7 @@ TEST(HarrisResponseTest, TheStrongestContrastDoesNotOverflow) {
   EXPECT_GT(HarrisResponse(image, 10, 10), 0);
 }
 
-TEST(HarrisResponseTest, TurnsWithTheImage) {
+TEST(HarrisResponseTest, IsInvariantToQuarterTurns) {
   const cv::Mat image = test::NoiseImage({31, 31}, 2);
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);

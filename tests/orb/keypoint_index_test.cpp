@@ -71,7 +71,7 @@ TEST(KeypointIndexTest, RadiusIncludesItsBoundary) {
   EXPECT_THAT(Find(index, 0, 0, -1), IsEmpty());
 }
 
-TEST(KeypointIndexTest, OctavesAreInclusive) {
+TEST(KeypointIndexTest, OctaveRangeIsInclusive) {
   const std::vector<Keypoint> keypoints = {{.octave = 0}, {.octave = 1}, {.octave = 2}};
   const KeypointIndex index(keypoints);
   EXPECT_THAT(Find(index, 0, 0, 1, 1, 2), ElementsAre(1, 2));
@@ -85,7 +85,7 @@ TEST(KeypointIndexTest, AppendsInAscendingOrder) {
   EXPECT_THAT(found, ElementsAre(7, 0, 1, 2));
 }
 
-TEST(KeypointIndexTest, UnorderedIsTheSameInAnyOrder) {
+TEST(KeypointIndexTest, FindUnorderedReturnsTheSameIndicesInAnyOrder) {
   const KeypointIndex index(RandomKeypoints(800, 0, 700, 4));
   std::vector<int> found = {900};
   index.FindUnordered({300, 300, 200, 2, 5}, found);
@@ -103,19 +103,19 @@ TEST(KeypointIndexTest, KeypointsMayLieFarApart) {
   EXPECT_THAT(Find(index, 0, 0, 3e9F), ElementsAre(0, 1, 2));
 }
 
-TEST(KeypointIndexTest, EmptyFindsNothing) {
+TEST(KeypointIndexTest, EmptyIndexFindsNothing) {
   EXPECT_THAT(Find(KeypointIndex(), 0, 0, 100), IsEmpty());
   EXPECT_THAT(Find(KeypointIndex(std::vector<Keypoint>{}), 0, 0, 100), IsEmpty());
 }
 
-TEST(KeypointIndexTest, NoKeypointIsNearNowhere) {
+TEST(KeypointIndexTest, NanQueryFindsNothing) {
   const KeypointIndex index(RandomKeypoints(10, 0, 100, 3));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(Find(index, nan, 0, 100), IsEmpty());
   EXPECT_THAT(Find(index, 0, 0, nan), IsEmpty());
 }
 
-TEST(KeypointIndexTest, RefusesWhatHasNoPlace) {
+TEST(KeypointIndexTest, ThrowsOnNonFiniteKeypointsAndInvalidCellSize) {
   const std::vector<Keypoint> keypoints = {{}, {.x = std::numeric_limits<float>::infinity()}};
   EXPECT_THAT([&] { KeypointIndex index(keypoints); }, test::ThrowsError("keypoint 1", "finite"));
   EXPECT_THAT([] { KeypointIndex index(std::vector<Keypoint>(1), 0.0F); },

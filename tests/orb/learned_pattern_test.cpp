@@ -25,7 +25,7 @@ Extractor WithPattern(const std::string& pattern) {
   return Extractor(options);
 }
 
-TEST(LearnedPatternTest, IsTheFileThatCorvoLearnWrote) {
+TEST(LearnedPatternTest, EqualsTheFileWrittenByCorvoLearn) {
   EXPECT_EQ(ReadPattern(test::SourceDir() / "orb" / "learned_pattern.inc"), LearnedPattern());
 }
 
@@ -35,7 +35,7 @@ TEST(LearnedPatternTest, WindowsDoNotOverlap) {
   }
 }
 
-/// +1 or -1 for every descriptor, of test `i`.
+/// Returns bit `i` of every descriptor as +1 (set) or -1.
 std::vector<int> Signs(const std::vector<Descriptor>& descriptors, int i) {
   std::vector<int> signs;
   for (const Descriptor& descriptor : descriptors) {
@@ -44,7 +44,8 @@ std::vector<int> Signs(const std::vector<Descriptor>& descriptors, int i) {
   return signs;
 }
 
-/// Root mean square of the correlations between different tests, over the keypoints of images.
+/// Returns the root mean square of the correlations between different tests over the keypoints of
+/// RealImages().
 double RmsCorrelation(const std::string& pattern) {
   std::vector<Descriptor> descriptors;
   for (const std::string& image : test::RealImages()) {
@@ -67,12 +68,12 @@ double RmsCorrelation(const std::string& pattern) {
   return std::sqrt(squares / (kNumTests * (kNumTests - 1) / 2));
 }
 
-TEST(LearnedPatternTest, TestsCorrelateLessThanSampledOnes) {
+TEST(LearnedPatternTest, TestsCorrelateLessThanThoseOfTheSampledPattern) {
   CORVO_REQUIRE_DATA("oxford_affine");
   EXPECT_LT(RmsCorrelation("learned"), RmsCorrelation("brief"));
 }
 
-/// Mutual nearest neighbors within 3 px of where the homography takes them.
+/// Counts mutual nearest neighbors within 3 px of the position that the homography predicts.
 int CountCorrect(const Features& first, const Features& second,
                  const cv::Matx33d& second_from_first) {
   const auto matches =
@@ -88,7 +89,8 @@ int CountCorrect(const Features& first, const Features& second,
   return count;
 }
 
-/// Correct matches of the first image of a folder with each of the others, together.
+/// Returns the total number of correct matches of the first image of a folder with each other
+/// image.
 int CountCorrect(const std::string& folder, const std::string& extension,
                  const std::string& pattern) {
   const Extractor extractor = WithPattern(pattern);

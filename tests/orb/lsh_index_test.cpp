@@ -26,10 +26,11 @@ using testing::IsEmpty;
 
 using Descriptors = std::vector<Descriptor>;
 
-/// Every key of every table is looked into.
+/// Options with which a query probes every key of every table.
 constexpr LshIndexOptions kExact = {.num_tables = 3, .max_flips = 21, .recall = 1};
 
-/// Each bit is its neighbor's with a chance of 3/4, so that keys are not uniform.
+/// Returns descriptors in which each bit equals its neighbor in the byte with probability 3/4, so
+/// that keys are not uniform.
 Descriptors DependentBits(int count, std::uint64_t seed) {
   test::Random random(seed);
   Descriptors descriptors(count);
@@ -73,21 +74,21 @@ void ExpectExact(const LshIndex& index, const Descriptors& descriptors, int k) {
   }
 }
 
-TEST(LshIndexTest, IsExactWhereProbesCoverAll) {
+TEST(LshIndexTest, IsExactIfProbesCoverAllKeys) {
   const Descriptors descriptors = DependentBits(6000, 1);
   const LshIndex index(descriptors, kExact);
   ASSERT_GT(index.bits_a_key(), 0);
   for (const int k : {1, 2, 10}) ExpectExact(index, descriptors, k);
 }
 
-TEST(LshIndexTest, IsExactOnAFewDescriptorsWhateverTheOptions) {
+TEST(LshIndexTest, IsExactOnFewDescriptorsForAnyOptions) {
   const Descriptors descriptors = DependentBits(1000, 2);
   const LshIndex index(descriptors, {.num_tables = 1, .max_flips = 0, .recall = 0});
   EXPECT_EQ(index.bits_a_key(), 0);
   for (const int k : {1, 3, 2000}) ExpectExact(index, descriptors, k);
 }
 
-TEST(LshIndexTest, OfEqualDescriptorsTheFirstAreNearest) {
+TEST(LshIndexTest, EqualDescriptorsAreReturnedInIndexOrder) {
   Descriptors descriptors = DependentBits(9000, 3);
   const Descriptor twin = descriptors[4000];
   descriptors[100] = descriptors[8000] = twin;
@@ -111,7 +112,7 @@ TEST(LshIndexTest, FindsMostNearestAmongManyWithFlippedBits) {
   EXPECT_GE(found, 0.95 * kQueries);
 }
 
-TEST(LshIndexTest, MoreRecallFindsMore) {
+TEST(LshIndexTest, HigherRecallFindsMore) {
   const Descriptors descriptors = DependentBits(30000, 6);
   int last = 0;
   for (const double recall : {0.0, 0.3, 0.99}) {
@@ -130,7 +131,7 @@ TEST(LshIndexTest, MoreRecallFindsMore) {
   EXPECT_GE(last, 190);
 }
 
-TEST(LshIndexTest, DistancesAreTrueAndSorted) {
+TEST(LshIndexTest, DistancesAreExactAndSorted) {
   test::Random random(9);
   const Descriptors descriptors = DependentBits(20000, 10);
   const LshIndex index(descriptors);
@@ -145,7 +146,7 @@ TEST(LshIndexTest, DistancesAreTrueAndSorted) {
   }
 }
 
-TEST(LshIndexTest, WhatIsAddedIsFound) {
+TEST(LshIndexTest, AddedDescriptorsAreFound) {
   const Descriptors descriptors = DependentBits(14000, 11);
   const std::span<const Descriptor> all(descriptors);
   LshIndex index(kExact);
@@ -157,17 +158,17 @@ TEST(LshIndexTest, WhatIsAddedIsFound) {
   }
 }
 
-TEST(LshIndexTest, EmptyFindsNothing) {
+TEST(LshIndexTest, EmptyIndexFindsNothing) {
   EXPECT_THAT(LshIndex().FindNearest({}, 3), IsEmpty());
   EXPECT_THAT(LshIndex(Descriptors()).FindNearest({}, 3), IsEmpty());
 }
 
-TEST(LshIndexTest, DescriptorsAllAlikeAreFound) {
+TEST(LshIndexTest, IdenticalDescriptorsAreFound) {
   const LshIndex index(Descriptors(10000, Descriptor()));
   EXPECT_THAT(index.FindNearest({}, 2), ElementsAre(Neighbor{0, 0}, Neighbor{0, 1}));
 }
 
-TEST(LshIndexTest, KeepsItsDescriptorsAndSaysWhatTheyTake) {
+TEST(LshIndexTest, ReturnsItsDescriptorsAndItsMemoryUse) {
   const Descriptors descriptors = DependentBits(5000, 12);
   const LshIndex index(descriptors, {.num_tables = 4});
   EXPECT_EQ(index.descriptor(4321), descriptors[4321]);
@@ -175,7 +176,7 @@ TEST(LshIndexTest, KeepsItsDescriptorsAndSaysWhatTheyTake) {
   EXPECT_EQ(index.memory_bytes(), 5000 * sizeof(Descriptor) + 4 * tables);
 }
 
-TEST(LshIndexTest, RefusesWhatIsOutOfRange) {
+TEST(LshIndexTest, ThrowsOnOptionsOutOfRange) {
   EXPECT_THAT([] { LshIndex({.num_tables = 0}); }, ThrowsError("num_tables is 0"));
   EXPECT_THAT([] { LshIndex({.num_tables = 13}); }, ThrowsError("num_tables is 13"));
   EXPECT_THAT([] { LshIndex({.max_flips = -1}); }, ThrowsError("max_flips is -1"));
@@ -187,7 +188,7 @@ class LshIndexFileTest : public testing::Test {
  protected:
   std::filesystem::path file() const { return dir_.path() / "index"; }
 
-  /// What a small index writes, with tables and without.
+  /// Returns the contents of the file that an index of `count` descriptors writes.
   std::string Written(int count) const {
     LshIndex(DependentBits(count, 13)).Save(file());
     return test::ReadFile(file());
@@ -198,7 +199,7 @@ class LshIndexFileTest : public testing::Test {
   test::TemporaryDir dir_;
 };
 
-TEST_F(LshIndexFileTest, WhatIsSavedLoadsTheSame) {
+TEST_F(LshIndexFileTest, LoadedIndexEqualsTheSavedOne) {
   const Descriptors descriptors = DependentBits(30000, 14);
   for (const int count : {0, 5, 4096, 4097, 29900}) {
     LshIndex index(std::span<const Descriptor>(descriptors).first(count),
@@ -220,7 +221,7 @@ TEST_F(LshIndexFileTest, WhatIsSavedLoadsTheSame) {
   }
 }
 
-TEST_F(LshIndexFileTest, LoadedIndicesGrow) {
+TEST_F(LshIndexFileTest, DescriptorsCanBeAddedToALoadedIndex) {
   const Descriptors descriptors = DependentBits(9000, 16);
   LshIndex(std::span<const Descriptor>(descriptors).first(5000), kExact).Save(file());
   LshIndex index = LshIndex::Load(file());
@@ -257,7 +258,7 @@ TEST_F(LshIndexFileTest, DamageInALargeFileThrows) {
   }
 }
 
-TEST_F(LshIndexFileTest, SaysWhatItCannotReadOrWrite) {
+TEST_F(LshIndexFileTest, ErrorsNameFilesThatCannotBeReadOrWritten) {
   EXPECT_THAT([&] { LshIndex::Load(dir_.path() / "none"); }, ThrowsError("none: cannot be read"));
   EXPECT_THAT([&] { LshIndex::Load(dir_.path()); }, ThrowsError("cannot be read"));
   EXPECT_THAT([&] { Load(std::string(1000, 'a')); }, ThrowsError("is no index"));

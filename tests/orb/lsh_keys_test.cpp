@@ -17,7 +17,7 @@ void SetBit(Descriptor& descriptor, int bit, bool value) {
   if (value) descriptor.bytes[bit / 8] |= mask;
 }
 
-/// Bits 0 to 127 are independent, bit 128 + i is bit i again.
+/// Returns descriptors in which bits 0 to 127 are independent and bit 128 + i equals bit i.
 std::vector<Descriptor> DoubledBits(int count) {
   test::Random random(1);
   std::vector<Descriptor> descriptors(count);
@@ -31,7 +31,7 @@ std::vector<Descriptor> DoubledBits(int count) {
   return descriptors;
 }
 
-TEST(LshKeysTest, AKeyIsMadeOfItsBits) {
+TEST(LshKeysTest, KeyConsistsOfTheChosenBits) {
   Descriptor descriptor;
   SetBit(descriptor, 3, true);
   SetBit(descriptor, 255, true);
@@ -53,7 +53,7 @@ TEST(LshKeysTest, KeysShareNoBit) {
   }
 }
 
-TEST(LshKeysTest, BitsThatDependOnOneAnotherGoToDifferentKeys) {
+TEST(LshKeysTest, DependentBitsGoToDifferentKeys) {
   for (const KeyBits& key : ChooseKeyBits(DoubledBits(5000), 2, 20)) {
     std::set<int> sources;
     for (const int bit : key) sources.insert(bit % 128);
@@ -61,7 +61,7 @@ TEST(LshKeysTest, BitsThatDependOnOneAnotherGoToDifferentKeys) {
   }
 }
 
-TEST(LshKeysTest, BitsThatNeverChangeAreLeft) {
+TEST(LshKeysTest, ConstantBitsAreNotChosen) {
   test::Random random(2);
   std::vector<Descriptor> descriptors(1000);
   for (Descriptor& descriptor : descriptors) {
@@ -72,7 +72,7 @@ TEST(LshKeysTest, BitsThatNeverChangeAreLeft) {
   }
 }
 
-TEST(LshKeysTest, NoDescriptorsGiveKeysAllTheSame) {
+TEST(LshKeysTest, KeysAreChosenEvenWithoutDescriptors) {
   EXPECT_EQ(ChooseKeyBits({}, 2, 3), (std::vector<KeyBits>{{0, 2, 4}, {1, 3, 5}}));
 }
 
@@ -102,7 +102,7 @@ TEST(ChanceOfFlipsTest, FallsWithDistanceAndRisesWithFlips) {
   }
 }
 
-TEST(ChanceOfFlipsTest, IsTheShareOfDrawnKeys) {
+TEST(ChanceOfFlipsTest, AgreesWithRandomlyDrawnKeys) {
   test::Random random(3);
   Descriptor difference;
   for (int bit = 0; bit < 40; ++bit) SetBit(difference, bit, true);

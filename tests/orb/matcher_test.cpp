@@ -24,7 +24,7 @@ using test::ThrowsError;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// The definition: candidates sorted by distance, then by index.
+/// Implements the definition: sorts candidates by distance, then by index.
 Nearest NaiveNearest(const Descriptor& query, const std::vector<Descriptor>& train,
                      const std::vector<int>& candidates) {
   std::vector<std::pair<int, int>> ranked;
@@ -36,7 +36,7 @@ Nearest NaiveNearest(const Descriptor& query, const std::vector<Descriptor>& tra
   return nearest;
 }
 
-/// Descriptors of few different bits, so that distances tie often.
+/// Returns descriptors in which few bits vary, so that distances are often equal.
 std::vector<Descriptor> SimilarDescriptors(int count, std::uint64_t seed) {
   auto descriptors = RandomDescriptors(count, seed);
   for (auto& descriptor : descriptors) {
@@ -45,7 +45,7 @@ std::vector<Descriptor> SimilarDescriptors(int count, std::uint64_t seed) {
   return descriptors;
 }
 
-TEST(FindNearestTest, IsTheDefinitionWithTiesToTheLowerIndex) {
+TEST(FindNearestTest, EqualsTheNaiveSearchWithTiesToTheLowerIndex) {
   const auto queries = SimilarDescriptors(40, 1);
   const auto train = SimilarDescriptors(90, 2);
   std::vector<int> all(train.size());
@@ -57,7 +57,7 @@ TEST(FindNearestTest, IsTheDefinitionWithTiesToTheLowerIndex) {
   }
 }
 
-TEST(FindNearestTest, IsTheDefinitionOnRealImages) {
+TEST(FindNearestTest, EqualsTheNaiveSearchOnRealImages) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Extractor extractor({.num_features = 1200});
   const auto queries = extractor.Extract(test::ReadGray("oxford_affine/graf/img1.ppm"));
@@ -70,7 +70,7 @@ TEST(FindNearestTest, IsTheDefinitionOnRealImages) {
   }
 }
 
-TEST(FindNearestTest, FewCandidates) {
+TEST(FindNearestTest, HandlesZeroAndOneCandidates) {
   const auto descriptors = RandomDescriptors(3, 3);
   const std::vector<Descriptor> one = {descriptors[0]};
   EXPECT_THAT(FindNearest({}, descriptors), IsEmpty());
@@ -80,7 +80,7 @@ TEST(FindNearestTest, FewCandidates) {
   EXPECT_THAT(FindNearest(one, twice), ElementsAre(Nearest{0, 0, 0, 1}));
 }
 
-TEST(FindNearestAmongTest, IsTheDefinitionInWhateverOrderCandidatesCome) {
+TEST(FindNearestAmongTest, EqualsTheNaiveSearchForAnyOrderOfCandidates) {
   const auto train = SimilarDescriptors(90, 8);
   std::vector<int> candidates(train.size());
   std::iota(candidates.begin(), candidates.end(), 0);
@@ -92,7 +92,7 @@ TEST(FindNearestAmongTest, IsTheDefinitionInWhateverOrderCandidatesCome) {
   EXPECT_EQ(FindNearestAmong(train[0], train, {}), Nearest{});
 }
 
-TEST(FindNearestInWindowsTest, SeesOnlyWhatLiesInTheWindow) {
+TEST(FindNearestInWindowsTest, SearchesOnlyInsideTheWindow) {
   test::Random random(4);
   const auto queries = SimilarDescriptors(60, 5);
   const auto train = SimilarDescriptors(200, 6);
@@ -118,7 +118,7 @@ TEST(FindNearestInWindowsTest, SeesOnlyWhatLiesInTheWindow) {
   }
 }
 
-TEST(FindNearestInWindowsTest, SizesMustFit) {
+TEST(FindNearestInWindowsTest, ThrowsOnSizesThatDiffer) {
   const auto descriptors = RandomDescriptors(2, 7);
   const KeypointIndex index(std::vector<Keypoint>(2));
   const std::vector<SearchWindow> one(1), two(2);
@@ -128,14 +128,14 @@ TEST(FindNearestInWindowsTest, SizesMustFit) {
               ThrowsError("train", "2 and 0"));
 }
 
-TEST(KeepNearTest, KeepsUpToTheLimitInQueryOrder) {
+TEST(DistanceTestTest, KeepsMatchesUpToTheLimitInQueryOrder) {
   const std::vector<Nearest> nearest = {{4, 50}, {}, {2, 51}, {1, 0}};
   EXPECT_THAT(DistanceTest(nearest, 50), ElementsAre(Match{0, 4, 50}, Match{3, 1, 0}));
   EXPECT_THAT(DistanceTest(nearest, 257),
               ElementsAre(Match{0, 4, 50}, Match{2, 2, 51}, Match{3, 1, 0}));
 }
 
-TEST(KeepDistinctTest, ComparesWithTheSecond) {
+TEST(RatioTestTest, ComparesTheNearestWithTheSecondNearest) {
   const std::vector<Nearest> nearest = {{1, 39, 50, 2}, {1, 40, 50, 2}, {1, 41, 50, 2}};
   const auto kept = RatioTest(nearest, 0.8);
   EXPECT_THAT(kept[0], nearest[0]);
@@ -143,7 +143,7 @@ TEST(KeepDistinctTest, ComparesWithTheSecond) {
   EXPECT_EQ(kept[2].index, -1);
 }
 
-TEST(KeepDistinctTest, SingleCandidatesPassAndIdenticalOnesDoNot) {
+TEST(RatioTestTest, SingleCandidatesPassAndIdenticalOnesDoNot) {
   const std::vector<Nearest> nearest = {{3, 256, 257, -1}, {3, 0, 0, 4}, {}};
   const auto kept = RatioTest(nearest, 0.5);
   EXPECT_EQ(kept[0], nearest[0]);
@@ -151,7 +151,7 @@ TEST(KeepDistinctTest, SingleCandidatesPassAndIdenticalOnesDoNot) {
   EXPECT_EQ(kept[2].index, -1);
 }
 
-TEST(KeepMutualTest, BothMustChooseEachOther) {
+TEST(CrossCheckTest, KeepsMutualNearestNeighborsOnly) {
   const std::vector<Match> matches = {{0, 1, 10}, {1, 1, 20}, {2, 0, 30}};
   const std::vector<Nearest> nearest_of_train = {{5, 9}, {0, 10}};
   EXPECT_THAT(CrossCheck(matches, nearest_of_train), ElementsAre(Match{0, 1, 10}));
@@ -164,7 +164,7 @@ TEST(KeepUniqueTest, EveryTrainKeypointGoesToItsNearestQuery) {
   EXPECT_THAT(KeepUnique({}), IsEmpty());
 }
 
-/// Match i between keypoints i whose angle changes by changes_deg[i].
+/// Matches in which match i connects keypoints i, whose angle changes by changes_deg[i].
 struct Rotated {
   explicit Rotated(const std::vector<float>& changes_deg) {
     for (int i = 0; i < static_cast<int>(changes_deg.size()); ++i) {
@@ -207,7 +207,7 @@ TEST(KeepConsistentRotationTest, OneBinKeepsEverything) {
   EXPECT_THAT(Rotated({0, 100, 200, 300}).Kept(1), ElementsAre(0, 1, 2, 3));
 }
 
-TEST(KeepConsistentRotationTest, RefusesWhatDoesNotFit) {
+TEST(KeepConsistentRotationTest, ThrowsOnInvalidInput) {
   const Rotated rotated({0, 0});
   EXPECT_THAT([&] { KeepConsistentRotation(rotated.matches, {}, rotated.train); },
               ThrowsError("query", "0"));

@@ -24,7 +24,7 @@ using test::NoiseImage;
 using test::ShapesImage;
 using test::ThrowsError;
 
-/// What detectAndCompute returns.
+/// The result of detectAndCompute().
 struct Detected {
   std::vector<cv::KeyPoint> keypoints;
   cv::Mat descriptors;
@@ -45,7 +45,7 @@ bool SamePlace(const cv::KeyPoint& a, const cv::KeyPoint& b) {
   return a.pt == b.pt && a.octave == b.octave && a.angle == b.angle && a.size == b.size;
 }
 
-TEST(Feature2DTest, ReturnsWhatTheExtractorDoes) {
+TEST(Feature2DTest, DetectAndComputeReturnsTheExtractorsFeatures) {
   const cv::Mat image = ShapesImage({400, 300}, 1);
   ExtractorOptions options;
   options.num_features = 321;
@@ -73,7 +73,7 @@ TEST(Feature2DTest, OptionsReachTheExtractor) {
   EXPECT_THAT([] { CreateFeature2D(-1); }, ThrowsError("num_features"));
 }
 
-TEST(Feature2DTest, DescribesItselfAsOrbDoes) {
+TEST(Feature2DTest, HasTheDescriptorSizeTypeAndNormOfOrb) {
   const auto corvo = CreateFeature2D(100);
   const cv::Ptr<cv::Feature2D> orb = cv::ORB::create(100);
   EXPECT_EQ(corvo->descriptorSize(), orb->descriptorSize());
@@ -83,7 +83,7 @@ TEST(Feature2DTest, DescribesItselfAsOrbDoes) {
   EXPECT_EQ(corvo->getDefaultName(), "Feature2D.corvo");
 }
 
-TEST(Feature2DTest, DetectAndComputeInOneStepOrInTwo) {
+TEST(Feature2DTest, DetectThenComputeEqualsDetectAndCompute) {
   const cv::Mat image = ShapesImage({400, 300}, 3);
   const auto features = CreateFeature2D(200);
   const Detected at_once = DetectAndCompute(features, image);
@@ -97,7 +97,7 @@ TEST(Feature2DTest, DetectAndComputeInOneStepOrInTwo) {
   }
 }
 
-TEST(Feature2DTest, ComputeKeepsGivenKeypointsButAtTheBorder) {
+TEST(Feature2DTest, ComputeRemovesOnlyKeypointsAtTheBorder) {
   const cv::Mat image = ShapesImage({200, 150}, 4);
   std::vector<cv::KeyPoint> keypoints;
   cv::FAST(image, keypoints, 20);
@@ -114,13 +114,13 @@ TEST(Feature2DTest, ComputeKeepsGivenKeypointsButAtTheBorder) {
   for (const auto& keypoint : keypoints) {
     kept.push_back(keypoint.class_id);
     EXPECT_EQ(keypoint.size, given[keypoint.class_id].size);
-    EXPECT_GE(keypoint.angle, 0);  // FAST gives none: -1.
+    EXPECT_GE(keypoint.angle, 0);  // cv::FAST sets none (-1).
   }
   EXPECT_LT(kept.size(), given.size());
   EXPECT_EQ(kept, expected);
 }
 
-TEST(Feature2DTest, HonoursMasks) {
+TEST(Feature2DTest, HonorsMasks) {
   const cv::Mat image = ShapesImage({320, 240}, 5);
   cv::Mat mask = cv::Mat::zeros(image.size(), CV_8UC1);
   mask.colRange(0, 160).setTo(255);
@@ -137,7 +137,7 @@ TEST(Feature2DTest, HonoursMasks) {
   }
 }
 
-TEST(Feature2DTest, ConvertsColor) {
+TEST(Feature2DTest, ConvertsColorToGray) {
   const cv::Mat gray = ShapesImage({320, 240}, 6);
   cv::Mat bgr, bgra;
   cv::merge(std::vector<cv::Mat>{gray, NoiseImage(gray.size(), 7), gray}, bgr);
@@ -165,7 +165,7 @@ TEST(Feature2DTest, AnEmptyImageHasNoFeatures) {
   EXPECT_TRUE(detected.keypoints.empty());
 }
 
-TEST(Feature2DTest, BadInputIsAnExceptionOfOpenCv) {
+TEST(Feature2DTest, InvalidInputThrowsCvException) {
   const auto features = CreateFeature2D(100);
   const cv::Mat image = ShapesImage({200, 150}, 9);
   EXPECT_THROW(DetectAndCompute(features, cv::Mat(100, 100, CV_16UC1)), cv::Exception);
@@ -176,7 +176,7 @@ TEST(Feature2DTest, BadInputIsAnExceptionOfOpenCv) {
                cv::Exception);
 }
 
-TEST(ConversionTest, KeyPointsThereAndBack) {
+TEST(ConversionTest, KeyPointsRoundTrip) {
   const std::vector<Keypoint> keypoints = {{1.5F, 2, 359, 40, 0}, {3, 4.25F, 0, 7, 1}};
   const std::vector<double> scales = {1, 1.5};
   const auto converted = ToKeyPoints(keypoints, scales);
@@ -186,7 +186,7 @@ TEST(ConversionTest, KeyPointsThereAndBack) {
               ThrowsError("octave is 1", "0 to 0"));
 }
 
-TEST(ConversionTest, DescriptorsThereAndBack) {
+TEST(ConversionTest, DescriptorsRoundTrip) {
   const auto descriptors = test::RandomDescriptors(7, 10);
   const cv::Mat rows = ToDescriptorMat(descriptors);
   EXPECT_EQ(rows.size(), cv::Size(32, 7));
@@ -204,7 +204,7 @@ struct Pair {
   cv::Matx33d second_from_first;
 };
 
-/// A drawing, and the same turned by 20 degrees about its middle with a little perspective.
+/// Returns a drawing and a copy rotated by 20 degrees about its center with slight perspective.
 Pair DrawnPair() {
   const double c = std::cos(0.35), s = std::sin(0.35), x = 320, y = 240;
   Pair pair{ShapesImage({640, 480}, 11),
@@ -214,7 +214,8 @@ Pair DrawnPair() {
   return pair;
 }
 
-/// Cross-checked matches within 3 px of where they belong, the way any OpenCV program makes them.
+/// Counts cross-checked matches of cv::BFMatcher within 3 px of the position that the homography
+/// predicts.
 int CountCorrectMatches(const cv::Ptr<cv::Feature2D>& features, const Pair& pair) {
   const Detected first = DetectAndCompute(features, pair.first);
   const Detected second = DetectAndCompute(features, pair.second);
@@ -231,7 +232,7 @@ int CountCorrectMatches(const cv::Ptr<cv::Feature2D>& features, const Pair& pair
   return correct;
 }
 
-TEST(Feature2DTest, TakesThePlaceOfOrbBeforeABruteForceMatcher) {
+TEST(Feature2DTest, ReplacesOrbWithABruteForceMatcher) {
   const Pair pair = DrawnPair();
   for (const auto& features :
        {CreateFeature2D(1000), cv::Ptr<cv::Feature2D>(cv::ORB::create(1000))}) {
@@ -239,7 +240,7 @@ TEST(Feature2DTest, TakesThePlaceOfOrbBeforeABruteForceMatcher) {
   }
 }
 
-TEST(Feature2DTest, MatchesAPlaneSeenFromTheSide) {
+TEST(Feature2DTest, MatchesAPlaneUnderViewpointChange) {
   CORVO_REQUIRE_DATA("oxford_affine/graf");
   const Pair pair{test::ReadGray("oxford_affine/graf/img1.ppm"),
                   test::ReadGray("oxford_affine/graf/img2.ppm"),

@@ -13,7 +13,7 @@
 namespace corvo::orb {
 namespace {
 
-/// Difference of two directions, in [0, 180].
+/// Returns the absolute difference of two directions, deg, in [0, 180].
 double AngleBetween(double a_deg, double b_deg) {
   return std::abs(std::remainder(a_deg - b_deg, 360.0));
 }
@@ -48,7 +48,7 @@ TEST(DirectionDegTest, NeverReaches360) {
   EXPECT_LT(DirectionDeg(1e4, -1), 360.0F);
 }
 
-TEST(OrientationDegTest, IsIndependentOfAnOffset) {
+TEST(OrientationDegTest, IsInvariantToABrightnessOffset) {
   const cv::Mat image = test::NoiseImage({33, 33}, 2) / 2;
   EXPECT_EQ(OrientationDeg(image, 16, 16), OrientationDeg(image + cv::Scalar(100), 16, 16));
 }
@@ -67,7 +67,7 @@ TEST(OrientationDegTest, PointsAlongTheGradientOfARamp) {
   }
 }
 
-TEST(OrientationDegTest, TurnsWithTheImage) {
+TEST(OrientationDegTest, RotatesWithTheImage) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const cv::Mat image = test::NoiseImage({33, 33}, seed);
     cv::Mat turned;
@@ -77,7 +77,7 @@ TEST(OrientationDegTest, TurnsWithTheImage) {
   }
 }
 
-TEST(OrientationDegTest, BlankHasDirectionZero) {
+TEST(OrientationDegTest, BlankImageHasDirectionZero) {
   EXPECT_EQ(OrientationDeg(cv::Mat(33, 33, CV_8UC1, cv::Scalar(200)), 16, 16), 0.0F);
 }
 

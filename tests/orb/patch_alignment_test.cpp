@@ -8,13 +8,14 @@
 namespace corvo::orb {
 namespace {
 
-/// A smooth pattern with texture in every direction.
+/// Returns the gray level at (x, y) of a smooth pattern with texture in every direction.
 double Gray(double x, double y) {
   return 128 + 40 * std::sin(0.9 * x + 0.4) * std::cos(0.7 * y) + 30 * std::sin(0.5 * (x + y)) +
          20 * std::cos(0.8 * y - 0.3 * x);
 }
 
-/// The pattern around (x, y), seen through a warp: step u shows the pattern at (x, y) + warp * u.
+/// Renders the pattern around (x, y) through a warp: the pixel at offset u from the center shows
+/// the pattern at (x, y) + warp * u.
 Patch MakePatch(double x, double y, const PatchWarp& warp = {}, double gain = 1,
                 double offset = 0) {
   Patch patch;
@@ -40,7 +41,7 @@ TEST(PatchAlignmentTest, FindsShifts) {
   }
 }
 
-TEST(PatchAlignmentTest, LightDoesNotMatter) {
+TEST(PatchAlignmentTest, ResultIsInvariantToGainAndOffset) {
   const auto found = AlignPatch(MakePatch(0, 0), MakePatch(-0.6, 0.3, {}, 0.6, 40), PatchWarp());
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->x, 0.6, 0.05);
@@ -48,9 +49,9 @@ TEST(PatchAlignmentTest, LightDoesNotMatter) {
   EXPECT_GT(found->correlation, 0.98);
 }
 
-TEST(PatchAlignmentTest, FollowsTheWarp) {
+TEST(PatchAlignmentTest, AppliesTheWarp) {
   const PatchWarp warp = {1.15F, -0.3F, 0.25F, 1.1F};
-  const double x = 0.5, y = -0.4;  // Of the middle, in the target.
+  const double x = 0.5, y = -0.4;  // Position of the center in the target, px.
   const Patch target = MakePatch(-(warp.a * x + warp.b * y), -(warp.c * x + warp.d * y), warp);
   const auto found = AlignPatch(MakePatch(0, 0), target, warp);
   ASSERT_TRUE(found);
@@ -67,7 +68,7 @@ TEST(PatchAlignmentTest, NothingIsFoundWithoutTexture) {
   EXPECT_FALSE(AlignPatch(edge, edge, {}));
 }
 
-TEST(PatchAlignmentTest, NothingIsFoundFarAway) {
+TEST(PatchAlignmentTest, NothingIsFoundOutsideTheSearchRange) {
   EXPECT_FALSE(AlignPatch(MakePatch(0, 0), MakePatch(4.5, 0), {}));
   EXPECT_FALSE(AlignPatch(MakePatch(0, 0), MakePatch(0, 0), {3, 0, 0, 3})) << "beyond the patch";
 }

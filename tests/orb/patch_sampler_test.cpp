@@ -25,7 +25,7 @@ TEST(PositionAtTest, CoversThePatchRowByRow) {
   for (int i = 0; i < kNumPositions; ++i) EXPECT_EQ(PositionOf(PositionAt(i)), i);
 }
 
-TEST(PatchSamplerTest, SumsAreThoseThatDescriptorsCompare) {
+TEST(PatchSamplerTest, SumsReproduceTheDescriptorBits) {
   const cv::Mat image = test::ShapesImage({320, 240}, 5);
   const Pattern pattern = MakeBriefPattern();
   for (const bool upright : {false, true}) {

@@ -20,7 +20,7 @@ class PatternFileTest : public ::testing::Test {
  protected:
   Pattern Read(const std::string& text) const { return ReadPattern(dir_.Write("p.inc", text)); }
 
-  /// The lines of a good file, with line `number` (from 1) replaced.
+  /// Returns the text of a valid file with line `number` (from 1) replaced.
   static std::string WithLine(int number, const std::string& replacement) {
     std::istringstream lines(PatternText(MakeBriefPattern()));
     std::string text;
@@ -41,24 +41,24 @@ TEST_F(PatternFileTest, WrittenPatternsReadBackTheSame) {
   }
 }
 
-TEST_F(PatternFileTest, ALineIsATest) {
+TEST_F(PatternFileTest, EachTestIsWrittenAsOneLine) {
   Pattern pattern = MakeBriefPattern();
   pattern[0] = {{-13, 2}, {0, 13}};
   const std::string text = PatternText(pattern);
   EXPECT_EQ(text.substr(0, text.find('\n')), "-13, 2, 0, 13,");
 }
 
-TEST_F(PatternFileTest, CommentsBlanksAndWindowsLineEndsMeanNothing) {
+TEST_F(PatternFileTest, CommentsBlanksAndWindowsLineEndsAreIgnored) {
   const std::string line = "-13, 2, 0, 13,";
   const Pattern expected = Read(WithLine(4, line));
   EXPECT_EQ(Read("// by corvo learn\r\n\n \t\n" + WithLine(4, line)), expected);
   EXPECT_EQ(Read(WithLine(4, " -13,2 ,\t0,  13 , \r")), expected);
   EXPECT_EQ(Read(WithLine(4, line + "\n  // so far 4")), expected);
   const std::string text = WithLine(4, line);
-  EXPECT_EQ(Read(text.substr(0, text.size() - 1)), expected) << "no end of the last line";
+  EXPECT_EQ(Read(text.substr(0, text.size() - 1)), expected) << "last line without a line end";
 }
 
-TEST_F(PatternFileTest, LinesThatAreNoTestAreErrors) {
+TEST_F(PatternFileTest, MalformedLinesAreErrors) {
   for (const char* line : {"1, 2, 3, 4", "1, 2, 3,", "1 2 3 4", "a, 2, 3, 4,", "1.5, 2, 3, 4,",
                            "1, , 3, 4,", "# 1", "/ 1, 2, 3, 4,", "99999999999, 2, 3, 4,"}) {
     EXPECT_THAT([&] { Read(WithLine(7, line)); },
@@ -89,7 +89,7 @@ TEST_F(PatternFileTest, RepeatedAndReversedTestsAreErrors) {
   }
 }
 
-TEST_F(PatternFileTest, AnyOtherNumberOfTestsIsAnError) {
+TEST_F(PatternFileTest, WrongNumberOfTestsIsAnError) {
   EXPECT_THAT([&] { Read(WithLine(1, "")); }, ThrowsError("p.inc: has 255 tests; allowed is 256"));
   EXPECT_THAT([&] { Read(WithLine(0, "") + "1, 2, 3, 9,\n"); },
               ThrowsError("p.inc:257: more than 256 tests"));
@@ -101,7 +101,7 @@ TEST_F(PatternFileTest, FilesThatCannotBeReadAreErrors) {
   EXPECT_THAT([&] { ReadPattern(dir_.path()); }, ThrowsError(": cannot be read"));
 }
 
-TEST_F(PatternFileTest, DamagedFilesAreReadOrNamed) {
+TEST_F(PatternFileTest, DamagedFilesAreReadOrReportedByName) {
   test::Random random(5);
   const std::string whole = PatternText(MakeBriefPattern());
   for (int i = 0; i < 500; ++i) {

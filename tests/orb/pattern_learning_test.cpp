@@ -23,8 +23,8 @@ int PositionOf(const Offset& offset) {
   return (offset.y + kMaxOffset) * (2 * kMaxOffset + 1) + offset.x + kMaxOffset;
 }
 
-/// Independent sums, the same in both views but in the columns left of `first_steady_x`, where both
-/// are drawn anew.
+/// Returns a training set of independent sums that are equal in both views except in the columns
+/// left of `first_steady_x`, where both views are independent.
 TrainingSet RandomTraining(int first_steady_x = -kMaxOffset, std::uint64_t seed = 1) {
   test::Random random(seed);
   std::vector<PositionSums> first(kSize);
@@ -42,7 +42,7 @@ TrainingSet RandomTraining(int first_steady_x = -kMaxOffset, std::uint64_t seed 
   return training;
 }
 
-/// +1 and -1 for the bits of a test over the first views.
+/// Returns the bits of a test over the first views as +1 (set) or -1.
 std::vector<int> Signs(const TrainingSet& training, const BinaryTest& test) {
   const std::uint16_t* p = training.first(PositionOf(test.p));
   const std::uint16_t* q = training.first(PositionOf(test.q));
@@ -63,7 +63,7 @@ double Correlation(const std::vector<int>& a, const std::vector<int>& b) {
          std::sqrt((n * n - sum_a * sum_a) * (n * n - sum_b * sum_b));
 }
 
-TEST(TrainingSetTest, KeepsSumsPositionByPositionUntilFull) {
+TEST(TrainingSetTest, StoresSumsByPositionUntilFull) {
   std::vector<PositionSums> first(3);
   std::vector<PositionSums> second(3);
   for (int k = 0; k < 3; ++k) {
@@ -94,7 +94,7 @@ TEST(LearnPatternTest, TestsAreDistinctAndTheirWindowsDoNotOverlap) {
   }
 }
 
-TEST(LearnPatternTest, NoTwoTestsCorrelateMoreThanItSays) {
+TEST(LearnPatternTest, NoTwoTestsExceedTheReportedCorrelation) {
   const TrainingSet training = RandomTraining();
   const LearningResult result = LearnPattern(training, 1);
   EXPECT_EQ(result.max_correlation, 0.2) << "tests that share no window are independent";
@@ -108,7 +108,7 @@ TEST(LearnPatternTest, NoTwoTestsCorrelateMoreThanItSays) {
   }
 }
 
-TEST(LearnPatternTest, TheThresholdRisesWhereTestsCorrelate) {
+TEST(LearnPatternTest, CorrelationThresholdRisesIfTestsCorrelate) {
   const TrainingSet independent = RandomTraining();
   std::vector<PositionSums> alike(kSize);
   for (int k = 0; k < kSize; ++k) {  // A slope in a random direction, and a little noise.
@@ -135,14 +135,14 @@ TEST(LearnPatternTest, TheThresholdRisesWhereTestsCorrelate) {
   EXPECT_TRUE(std::is_sorted(thresholds.begin(), thresholds.end()));
 }
 
-TEST(LearnPatternTest, PrefersTestsThatKeepTheirBit) {
+TEST(LearnPatternTest, PrefersTestsWhoseBitIsStable) {
   const int first_steady_x = -kMaxOffset + 3;
   const LearningResult result = LearnPattern(RandomTraining(first_steady_x), 1);
   EXPECT_EQ(result.flip_rate, 0);
   for (const auto& [p, q] : result.pattern) EXPECT_GE(std::min(p.x, q.x), first_steady_x);
 }
 
-TEST(LearnPatternTest, IsTheSameForAnyNumberOfThreads) {
+TEST(LearnPatternTest, PatternDoesNotDependOnTheNumberOfThreads) {
   const TrainingSet training = RandomTraining(-5);
   const Pattern pattern = LearnPattern(training, 1).pattern;
   for (const int threads : {2, 5}) EXPECT_EQ(LearnPattern(training, threads).pattern, pattern);

@@ -26,13 +26,13 @@ Offset Negative(const Offset& offset) {
   return {static_cast<std::int8_t>(-offset.x), static_cast<std::int8_t>(-offset.y)};
 }
 
-TEST(MakeBriefPatternTest, IsForEverTheSame) {
+TEST(MakeBriefPatternTest, DefaultPatternNeverChanges) {
   EXPECT_EQ(Fnv1a(MakeBriefPattern()), 0x2ab823f7f817a87aU);
   EXPECT_EQ(MakeBriefPattern(0), MakeBriefPattern());
   EXPECT_NE(MakeBriefPattern(1), MakeBriefPattern(2));
 }
 
-TEST(MakeBriefPatternTest, EndsLieInThePatchAndApart) {
+TEST(MakeBriefPatternTest, EndsLieInsideThePatchAndApart) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     for (const BinaryTest& test : MakeBriefPattern(seed)) {
       for (const int value : {test.p.x, test.p.y, test.q.x, test.q.y}) {
@@ -51,7 +51,7 @@ TEST(MakeBriefPatternTest, NoTestIsRepeatedNorReversed) {
   }
 }
 
-TEST(MakeBriefPatternTest, EndsAreGaussian) {
+TEST(MakeBriefPatternTest, EndsAreNormallyDistributed) {
   double sum = 0, squares = 0, products = 0;
   int count = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
@@ -88,7 +88,7 @@ TEST(DirectionOfTest, QuarterTurnsAreExact) {
   }
 }
 
-TEST(RotatedPatternsTest, FirstIsThePatternItself) {
+TEST(RotatedPatternsTest, FirstDirectionIsThePatternItself) {
   const Pattern pattern = MakeBriefPattern();
   EXPECT_EQ(RotatedPatterns(pattern, 30)[0], pattern);
 }

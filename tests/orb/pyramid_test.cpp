@@ -25,7 +25,7 @@ TEST(OctaveScalesTest, ArePowersOfTheFactor) {
   EXPECT_NEAR(OctaveScales(8, 1.2)[7], 3.5831808, 1e-12);
 }
 
-TEST(BuildPyramidTest, LevelSizesAreRoundedAndRatiosAreTrue) {
+TEST(BuildPyramidTest, LevelSizesAreRoundedAndRatiosAreExact) {
   const auto levels = BuildPyramid(NoiseImage({1242, 375}, 4), OctaveScales(8, 1.2));
   ASSERT_EQ(levels.size(), 8U);
   EXPECT_EQ(levels[1].image.size(), cv::Size(1035, 313));  // 312.5 rounds up
@@ -43,14 +43,14 @@ TEST(BuildPyramidTest, ExtremePixelsMapSymmetrically) {
   }
 }
 
-TEST(BuildPyramidTest, FirstLevelIsTheInputAndOthersComeFromTheOneBefore) {
+TEST(BuildPyramidTest, FirstLevelIsTheInputAndOthersAreResizedFromThePreviousOne) {
   const cv::Mat image = NoiseImage({100, 80}, 6);
   const auto levels = BuildPyramid(image, OctaveScales(3, 1.5));
   EXPECT_EQ(levels[0].image.data, image.data);
   EXPECT_TRUE(SameImage(levels[2].image, Resize(levels[1].image, {44, 36})));
 }
 
-TEST(BuildPyramidTest, LevelsNeverVanish) {
+TEST(BuildPyramidTest, LevelsHaveAtLeastOnePixel) {
   for (const auto& level : BuildPyramid(NoiseImage({3, 1}, 7), OctaveScales(32, 4.0))) {
     EXPECT_GE(level.image.cols, 1);
     EXPECT_GE(level.image.rows, 1);

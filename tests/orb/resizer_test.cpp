@@ -37,7 +37,7 @@ TEST(ResizeTest, HalfSizeAveragesFourPixels) {
   EXPECT_EQ(half.at<std::uint8_t>(0, 1), 102);  // 101.75
 }
 
-TEST(ResizeTest, ConstantStaysConstant) {
+TEST(ResizeTest, ConstantImageStaysConstant) {
   for (const int gray : {0, 1, 128, 255}) {
     for (const auto& [from, to] : kResizes) {
       const cv::Mat image(from, CV_8UC1, cv::Scalar(gray));
@@ -78,7 +78,7 @@ TEST(ResizeTest, CommutesWithMirroringAndQuarterTurns) {
   }
 }
 
-TEST(ResizeTest, IsBilinear) {
+TEST(ResizeTest, AgreesWithOpenCvBilinearResize) {
   const cv::Mat image = ShapesImage({320, 240}, 3);
   cv::Mat expected;
   cv::resize(image, expected, {267, 200}, 0, 0, cv::INTER_LINEAR);

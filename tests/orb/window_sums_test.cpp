@@ -29,7 +29,7 @@ TEST(WindowSumsTest, WhiteIsNotSaturatedAndTinyImagesAreZero) {
   EXPECT_EQ(cv::countNonZero(WindowSums(white(cv::Rect(0, 0, 4, 4)))), 0);
 }
 
-/// Whether the band's rows around `y` are those of the whole image.
+/// Returns whether the band's rows around `y` equal those of the whole image.
 bool IsAround(WindowSumBand& band, int y, const cv::Mat& expected) {
   const std::uint16_t* row = band.Row(y);
   for (int dy = -WindowSumBand::kReach; dy <= WindowSumBand::kReach; ++dy) {
@@ -41,7 +41,7 @@ bool IsAround(WindowSumBand& band, int y, const cv::Mat& expected) {
   return true;
 }
 
-TEST(WindowSumBandTest, HoldsTheSumsAroundAnyRow) {
+TEST(WindowSumBandTest, ReturnsTheSumsAroundAnyRow) {
   const cv::Mat image = test::NoiseImage({60, 400}, 1);
   const cv::Mat expected = WindowSums(image);
   WindowSumBand band;
@@ -52,7 +52,7 @@ TEST(WindowSumBandTest, HoldsTheSumsAroundAnyRow) {
   }
 }
 
-TEST(WindowSumBandTest, StartsAnewWithAnotherImage) {
+TEST(WindowSumBandTest, StartResetsTheBandForAnotherImage) {
   WindowSumBand band;
   const cv::Mat first = test::NoiseImage({60, 50}, 2);
   band.Start(first);

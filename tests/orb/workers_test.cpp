@@ -21,7 +21,7 @@ TEST(WorkersTest, EveryTaskIsDoneOnce) {
   }
 }
 
-TEST(WorkersTest, OneWorksInOrder) {
+TEST(WorkersTest, SingleThreadWorksInOrder) {
   Workers workers(1);
   std::vector<int> order;
   workers.ForEach(4, [&](int i) { order.push_back(i); });

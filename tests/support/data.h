@@ -10,10 +10,11 @@
 
 namespace corvo::test {
 
-/// Where $CI is set, missing data is a failure, elsewhere a visible skip.
+/// Returns whether missing data is a failure, which is so if $CI is set, rather than a skip.
 bool DataIsRequired();
 
-/// True where the sanitizers run: sequences are cut short and their accuracy is not judged.
+/// Returns whether $CORVO_SHORT_TESTS is set, as for the sanitizers: sequences are then cut short
+/// and their accuracy is not judged.
 bool IsShortRun();
 
 /// An empty folder for one test's files, removed with the object.
@@ -33,19 +34,19 @@ class TemporaryDir {
   std::filesystem::path path_;
 };
 
-/// The whole of a file. Fails the test if it cannot be read.
+/// Returns the contents of a file. Fails the test if it cannot be read.
 std::string ReadFile(const std::filesystem::path& path);
 
 }  // namespace corvo::test
 
-/// First statement of a test that would take minutes under the sanitizers, and whose code others
-/// reach too.
+/// The first statement of a test that would take minutes under the sanitizers and whose code is
+/// covered by other tests as well.
 #define CORVO_SKIP_IF_SHORT()                                                    \
   do {                                                                           \
     if (::corvo::test::IsShortRun()) GTEST_SKIP() << "too long for a short run"; \
   } while (false)
 
-/// First statement of a test that reads the real images: CORVO_REQUIRE_DATA("kitti/sequences/03");
+/// The first statement of a test that reads real images: CORVO_REQUIRE_DATA("kitti/sequences/03");
 #define CORVO_REQUIRE_DATA(relative)                                                      \
   do {                                                                                    \
     const std::filesystem::path corvo_data_path = ::corvo::test::DataPath(relative);      \

@@ -11,10 +11,10 @@
 #include "vo/lie/se3.h"
 #include "vo/lie/sim3.h"
 
-// Matchers for geometry. A NaN never matches, and a failure says which threshold broke.
+// These matchers compare geometry. NaN never matches, and a failure states the exceeded threshold.
 namespace corvo::test {
 
-/// value <= limit; otherwise (or for NaN) false, and says so.
+/// Returns whether value <= limit. If not, or for NaN, writes an explanation to `listener`.
 inline bool IsWithin(const std::string& what, double value, double limit,
                      ::testing::MatchResultListener* listener) {
   const bool within = value <= limit;
@@ -42,18 +42,18 @@ MATCHER_P2(IsDenseNear, expected, tolerance,
   return true;
 }
 
-/// Every entry of a matrix or vector is within `tolerance` of the expected one's.
+/// Matches a matrix or vector whose every entry is within `tolerance` of the expected entry.
 template <typename Derived>
 auto IsMatrixNear(const Eigen::MatrixBase<Derived>& expected, double tolerance) {
   return IsDenseNear(Eigen::MatrixXd(expected), tolerance);
 }
 
-/// An SO3 at an angle of at most `max_deg` from the expected one.
+/// Matches an SO3 at an angle of at most `max_deg` from the expected one.
 MATCHER_P2(IsRotationNear, expected, max_deg, "is a rotation near the expected one") {
   return IsWithin("angle, deg,", AngleBetweenDeg(expected, arg), max_deg, result_listener);
 }
 
-/// An SE3 at most `max_deg` and `max_distance` from the expected one.
+/// Matches an SE3 at most `max_deg` and `max_distance` from the expected one.
 MATCHER_P3(IsPoseNear, expected, max_deg, max_distance, "is a pose near the expected one") {
   const double angle = AngleBetweenDeg(expected.rotation(), arg.rotation());
   const double distance = (expected.translation() - arg.translation()).norm();
@@ -61,7 +61,7 @@ MATCHER_P3(IsPoseNear, expected, max_deg, max_distance, "is a pose near the expe
   return IsWithin("distance", distance, max_distance, result_listener) && rotation_near;
 }
 
-/// A Sim3 near the expected one; `max_log_scale` bounds |log(scale/expected scale)|.
+/// Matches a Sim3 near the expected one; `max_log_scale` bounds |log(scale/expected scale)|.
 MATCHER_P4(IsSimilarityNear, expected, max_deg, max_distance, max_log_scale,
            "is a similarity near the expected one") {
   const double angle = AngleBetweenDeg(expected.rotation(), arg.rotation());
@@ -73,7 +73,7 @@ MATCHER_P4(IsSimilarityNear, expected, max_deg, max_distance, max_log_scale,
          scale_near;
 }
 
-/// A callable that throws corvo::Error with a message that contains all the texts:
+/// Matches a callable that throws corvo::Error with a message that contains all the texts:
 /// EXPECT_THAT([] { ReadOptions("x.yaml"); }, ThrowsError("x.yaml", "no such file")).
 template <typename... Texts>
 auto ThrowsError(const Texts&... texts) {

@@ -13,7 +13,7 @@ using ::testing::Not;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What a matcher says of a value that does not match.
+/// Returns the explanation of a matcher for a value that does not match.
 template <typename Matcher, typename Value>
 std::string Explain(const Matcher& matcher, const Value& value) {
   ::testing::StringMatchResultListener listener;
@@ -21,7 +21,7 @@ std::string Explain(const Matcher& matcher, const Value& value) {
   return listener.str();
 }
 
-TEST(MatchersTest, MatrixNamesTheEntryAndItsTolerance) {
+TEST(MatchersTest, MatrixMismatchNamesTheEntryAndTheTolerance) {
   const Eigen::Vector2d expected(1, 2);
   EXPECT_THAT(Eigen::Vector2d(1.01, 2), IsMatrixNear(expected, 0.02));
   EXPECT_THAT(Eigen::Vector2d(1, 2.25), Not(IsMatrixNear(expected, 0.02)));
@@ -41,7 +41,7 @@ TEST(MatchersTest, NanNeverMatches) {
   EXPECT_THAT(Explain(IsPoseNear(SE3(), 180, 1e9), pose), HasSubstr("distance is nan"));
 }
 
-TEST(MatchersTest, PoseSaysWhichThresholdBroke) {
+TEST(MatchersTest, PoseMismatchNamesTheExceededThreshold) {
   const SE3 pose(SO3::Exp(Eigen::Vector3d(0, 0, 0.1)), Eigen::Vector3d(0, 3, 4));
   EXPECT_THAT(pose, IsPoseNear(SE3(), 5.73, 5.0));
   EXPECT_THAT(Explain(IsPoseNear(SE3(), 5.72, 5.0), pose), HasSubstr("angle, deg, is 5.7"));
@@ -56,7 +56,7 @@ TEST(MatchersTest, SimilarityComparesScalesByTheirRatio) {
   EXPECT_THAT(Sim3(), Not(IsSimilarityNear(twice, 0.0, 0.0, 0.69)));
 }
 
-TEST(MatchersTest, ThrowsErrorWantsEveryText) {
+TEST(MatchersTest, ThrowsErrorRequiresEveryText) {
   const auto thrower = [] { throw Error("width is 0; allowed is 1 to 9"); };
   EXPECT_THAT(thrower, ThrowsError("width", "1 to 9"));
   EXPECT_THAT(thrower, Not(ThrowsError("width", "height")));

@@ -7,10 +7,11 @@
 
 namespace corvo::test {
 
-/// d f(δ)/dδ at δ = 0 by central differences of fourth order. `f` takes an
+/// Returns d f(δ)/dδ at δ = 0 by central differences of fourth order. `f` takes an
 /// Eigen::Matrix<double, Cols, 1> and returns something convertible to Eigen::Matrix<double, Rows,
-/// 1>; where its domain or range is a manifold, it applies Exp and Log itself. Correct to about
-/// 1e-11 for functions with derivatives of order 1; a smaller step suits sharper functions.
+/// 1>; if its domain or range is a manifold, `f` applies Exp and Log itself. The result is correct
+/// to about 1e-11 for functions whose derivatives are of magnitude 1; steeper functions need a
+/// smaller step.
 template <int Rows, int Cols, typename Function>
 Eigen::Matrix<double, Rows, Cols> NumericJacobian(const Function& f, double step = 1e-3) {
   using Tangent = Eigen::Matrix<double, Cols, 1>;
@@ -25,7 +26,7 @@ Eigen::Matrix<double, Rows, Cols> NumericJacobian(const Function& f, double step
   return jacobian;
 }
 
-/// d f(x + δ)/dδ for a vector x.
+/// Returns d f(x + δ)/dδ at δ = 0 for a vector x.
 template <int Rows, int Cols, typename Function>
 Eigen::Matrix<double, Rows, Cols> NumericJacobianAt(const Eigen::Matrix<double, Cols, 1>& x,
                                                     const Function& f, double step = 1e-3) {
@@ -34,7 +35,8 @@ Eigen::Matrix<double, Rows, Cols> NumericJacobianAt(const Eigen::Matrix<double, 
                                      step);
 }
 
-/// d f(pose * Exp(δ))/dδ: corvo's perturbation, on the right, translation first.
+/// Returns d f(pose * Exp(δ))/dδ at δ = 0 for corvo's perturbation: on the right, translation
+/// first.
 template <int Rows, typename Function>
 Eigen::Matrix<double, Rows, 6> NumericJacobianAt(const SE3& pose, const Function& f,
                                                  double step = 1e-3) {

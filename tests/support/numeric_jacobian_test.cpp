@@ -18,7 +18,7 @@ TEST(NumericJacobianTest, IsExactForPolynomialsOfFourthOrder) {
   EXPECT_THAT(jacobian, IsMatrixNear(Eigen::RowVector2d(4 * 8 * -3, 16), 1e-9));
 }
 
-TEST(NumericJacobianTest, TellsAWrongDerivative) {
+TEST(NumericJacobianTest, DetectsAWrongDerivative) {
   const auto jacobian = NumericJacobian<1, 1>([](const Eigen::Matrix<double, 1, 1>& delta) {
     return Eigen::Matrix<double, 1, 1>(std::sin(1 + delta(0)));
   });

@@ -9,9 +9,9 @@
 
 namespace corvo::test {
 
-/// Seeded numbers for tests, the same with every compiler and standard library (SplitMix64). So is
-/// what is made of them as long as their order does not depend on that of a call's arguments, which
-/// is the compiler's: braces have an order.
+/// A seeded generator for tests, which gives the same numbers with every compiler and standard
+/// library (SplitMix64). Several draws in one expression must be in braces: the order of evaluation
+/// of a call's arguments is up to the compiler, that of braces is defined.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -23,24 +23,24 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// In [min, max).
+  /// Returns a uniform number in [min, max).
   double Uniform(double min = 0, double max = 1) {
     return min + (max - min) * 0x1p-53 * static_cast<double>(Bits() >> 11);
   }
 
-  /// In [min, max].
+  /// Returns a uniform integer in [min, max].
   int UniformInt(int min, int max) {
     const std::uint64_t count = static_cast<std::uint64_t>(std::int64_t{max} - min + 1);
     return static_cast<int>(min + static_cast<std::int64_t>(Bits() % count));
   }
 
-  /// Normal with mean 0 (Box-Muller).
+  /// Returns a normal number with mean 0 (Box-Muller).
   double Gaussian(double sigma = 1) {
     const double radius = std::sqrt(-2 * std::log(1 - Uniform()));
     return sigma * radius * std::cos(2 * 3.14159265358979323846 * Uniform());
   }
 
-  /// Independent entries in [-bound, bound).
+  /// Returns a vector of independent entries in [-bound, bound).
   template <int Size>
   Eigen::Matrix<double, Size, 1> Vector(double bound = 1) {
     Eigen::Matrix<double, Size, 1> vector;
@@ -55,7 +55,7 @@ class Random {
     return vector.normalized();
   }
 
-  /// About a uniform axis by an angle uniform in [0, max_angle) rad.
+  /// Returns a rotation about a uniform axis by an angle uniform in [0, max_angle) rad.
   SO3 Rotation(double max_angle = 3.14159265358979323846) {
     const double angle = Uniform(0, max_angle);
     return SO3::Exp(angle * Direction());

@@ -49,7 +49,7 @@ TEST(RandomTest, GaussianHasItsMoments) {
   EXPECT_NEAR(squares / 20000, 4, 0.15);
 }
 
-TEST(RandomTest, PosesKeepTheirBounds) {
+TEST(RandomTest, PosesStayWithinTheirBounds) {
   Random random(4);
   for (int i = 0; i < 200; ++i) {
     const SE3 pose = random.Pose(0.5, 3);

@@ -10,7 +10,7 @@
 namespace corvo::orb::kernels {
 namespace {
 
-/// Half of them are equal to those of another seed.
+/// Returns random numbers. Every other number is its own index, thus the same for all seeds.
 std::vector<std::uint16_t> RandomNumbers(int count, unsigned seed) {
   std::vector<std::uint16_t> numbers(count);
   std::memcpy(numbers.data(), test::RandomBytes(2 * count, seed).data(), 2 * count);
@@ -24,7 +24,7 @@ std::vector<std::uint64_t> RandomWords(int count, unsigned seed) {
   return words;
 }
 
-TEST(CompareRowsTest, IsItsScalarTwin) {
+TEST(CompareRowsTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int count = 1; count < 300; ++count) {
       const auto p = RandomNumbers(count, 2 * count);
@@ -39,7 +39,7 @@ TEST(CompareRowsTest, IsItsScalarTwin) {
   });
 }
 
-TEST(CompareRowsTest, BitsAreInOrderAndTheRestIsZero) {
+TEST(CompareRowsTest, BitsAreInOrderAndPaddingIsZero) {
   std::vector<std::uint16_t> p(70, 5);
   std::vector<std::uint16_t> q(70, 5);
   q[0] = 6;
@@ -53,7 +53,7 @@ TEST(CompareRowsTest, BitsAreInOrderAndTheRestIsZero) {
   });
 }
 
-TEST(CountDifferencesTest, IsItsScalarTwin) {
+TEST(CountDifferencesTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int count = 0; count < 100; ++count) {
       const auto a = RandomWords(count, 2 * count);

@@ -9,7 +9,7 @@
 
 namespace corvo::test {
 
-/// Independent bits.
+/// Returns descriptors of independent bits.
 inline std::vector<orb::Descriptor> RandomDescriptors(int count, unsigned seed) {
   const auto bytes = RandomBytes(32 * static_cast<std::size_t>(count), seed);
   std::vector<orb::Descriptor> descriptors(count);
@@ -17,7 +17,7 @@ inline std::vector<orb::Descriptor> RandomDescriptors(int count, unsigned seed) 
   return descriptors;
 }
 
-/// Three bits that are independent, so that distances are often equal, and zeros.
+/// Returns descriptors in which only three bits vary, so that distances are often equal.
 inline std::vector<orb::Descriptor> SimilarDescriptors(int count, unsigned seed) {
   const auto bytes = RandomBytes(count, seed);
   std::vector<orb::Descriptor> descriptors(count);
@@ -25,7 +25,7 @@ inline std::vector<orb::Descriptor> SimilarDescriptors(int count, unsigned seed)
   return descriptors;
 }
 
-/// Each byte is `byte`.
+/// Returns a descriptor whose bytes all are `byte`.
 inline orb::Descriptor FilledDescriptor(std::uint8_t byte) {
   orb::Descriptor descriptor;
   descriptor.bytes.fill(byte);

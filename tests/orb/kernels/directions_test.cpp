@@ -8,7 +8,8 @@
 namespace corvo::orb::kernels {
 namespace {
 
-/// All vectors of small whole numbers, among them the axes, the diagonals and none; and large ones.
+/// Returns all vectors of small integers, including the axes, the diagonals and zero, and random
+/// large ones.
 std::vector<DiscMoments> MakeMoments() {
   std::vector<DiscMoments> moments;
   for (int y = -40; y <= 40; ++y) {
@@ -21,7 +22,7 @@ std::vector<DiscMoments> MakeMoments() {
   return moments;
 }
 
-TEST(FindDirectionsDegTest, IsItsScalarTwin) {
+TEST(FindDirectionsDegTest, MatchesTheScalarVersion) {
   const std::vector<DiscMoments> moments = MakeMoments();
   std::vector<float> expected(moments.size());
   scalar::FindDirectionsDeg(moments, expected);

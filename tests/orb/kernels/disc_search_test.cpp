@@ -12,8 +12,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// `count` points at quarters of a pixel in [0, 64), of octaves 0 to 7; `columns` by 2 cells that
-/// hold any of them.
+/// A grid of `columns` by 2 cells with `count` points in arbitrary cells. Coordinates are multiples
+/// of a quarter of a pixel in [0, 64); octaves are 0 to 7.
 struct Points {
   Points(int count, int num_columns, unsigned seed) : columns(num_columns) {
     const auto bytes = test::RandomBytes(3 * static_cast<std::size_t>(count), seed);
@@ -28,7 +28,7 @@ struct Points {
     for (auto* numbers : {&octaves, &indices}) numbers->resize(count + kGridPadding);
   }
 
-  /// What `search` finds in the cells of columns [first, last].
+  /// Returns the indices that `search` finds in the cells of columns [first, last].
   template <typename Search>
   std::vector<int> Find(const Search& search, int first, int last, const OctaveDisc& disc) const {
     std::vector<int> found(x.size());
@@ -43,7 +43,7 @@ struct Points {
   std::vector<int> octaves, indices, cell_starts;
 };
 
-TEST(FindInDiscTest, IsItsScalarTwin) {
+TEST(FindInDiscTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int count = 0; count < 120; ++count) {
       const Points points(count, 3, count);
@@ -59,7 +59,7 @@ TEST(FindInDiscTest, IsItsScalarTwin) {
   });
 }
 
-TEST(FindInDiscTest, BoundariesBelongToTheDisc) {
+TEST(FindInDiscTest, DiscAndOctaveBoundariesAreInclusive) {
   Points points(3, 1, 0);
   points.x = {3, 5, 5.25F};
   points.y = {4, 0, 0};

@@ -24,7 +24,7 @@ std::vector<std::uint16_t> Find(const Descriptor& query, const Descriptors& trai
   return distances;
 }
 
-TEST(FindDistancesAmongTest, IsItsScalarTwin) {
+TEST(FindDistancesAmongTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     const Descriptors train = RandomDescriptors(100, 1);
     const Descriptor query = RandomDescriptors(1, 2).front();

@@ -12,7 +12,7 @@
 
 namespace corvo::test {
 
-/// Runs `body` once for every instruction set of this machine, with it in use.
+/// Runs `body` once with each instruction set of this machine in use.
 template <typename Body>
 void ForEveryInstructionSet(const Body& body) {
   for (const std::string& name : orb::kernels::InstructionSets()) {
@@ -23,7 +23,7 @@ void ForEveryInstructionSet(const Body& body) {
   }
 }
 
-/// Independent bytes, the same with every standard library.
+/// Returns independent bytes, which are the same with every standard library.
 inline std::vector<std::uint8_t> RandomBytes(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<std::uint8_t> bytes(count);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kRows = 2 * kCircleRadius + 1;
 
-/// Rows of noise of few gray levels, so that corners, ties and extremes are frequent.
+/// Returns rows of noise. Two of three seeds have only three gray levels, so that corners, ties and
+/// extremes are frequent.
 std::vector<std::uint8_t> MakeRows(int stride, unsigned seed) {
   std::vector<std::uint8_t> rows = test::RandomBytes(kRows * stride, seed);
   for (std::uint8_t& byte : rows) {
@@ -21,7 +22,7 @@ std::vector<std::uint8_t> MakeRows(int stride, unsigned seed) {
   return rows;
 }
 
-TEST(ScoreFastRowTest, IsItsScalarTwin) {
+TEST(ScoreFastRowTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int width = 1; width < 260; ++width) {
       const int stride = width + 2 * kCircleRadius;
@@ -45,7 +46,7 @@ TEST(ScoreFastRowTest, NoiseHasCorners) {
   EXPECT_GT(std::count_if(scores.begin(), scores.end(), [](int score) { return score > 0; }), 5);
 }
 
-TEST(FindRowMaximaTest, IsItsScalarTwin) {
+TEST(FindRowMaximaTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int width = 1; width < 260; ++width) {
       auto rows = test::RandomBytes(3 * (width + 2), width);

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 #if defined(__x86_64__)
-/// The best instruction set by what the processor says of itself.
+/// Returns the best instruction set according to the compiler's processor detection.
 std::string BestByCpuid() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) {
@@ -25,13 +25,13 @@ std::string BestByCpuid() {
   return "SCALAR";
 }
 
-TEST(InstructionSetsTest, TheBestThatTheProcessorHasIsChosen) {
+TEST(InstructionSetsTest, TheBestSupportedSetIsChosen) {
   std::cout << "chosen: " << ChosenInstructionSet() << "\n";
   EXPECT_EQ(ChosenInstructionSet(), BestByCpuid());
 }
 #endif
 
-TEST(InstructionSetsTest, AnyOfThemCanBeUsed) {
+TEST(InstructionSetsTest, EverySupportedSetCanBeForced) {
   const std::string best = ChosenInstructionSet();
   for (const std::string& name : InstructionSets()) {
     const UseInstructionSet use(name);
@@ -40,7 +40,7 @@ TEST(InstructionSetsTest, AnyOfThemCanBeUsed) {
   EXPECT_EQ(ChosenInstructionSet(), best);
 }
 
-TEST(InstructionSetsTest, AnUnknownOneIsAnErrorThatNamesThoseThereAre) {
+TEST(InstructionSetsTest, UnknownSetThrowsAndListsTheSupportedSets) {
   try {
     const UseInstructionSet use("MMX");
     FAIL();

@@ -11,7 +11,7 @@ namespace {
 constexpr int kSide = 2 * kMomentRadius + 3;  // with a margin of one pixel
 constexpr int kCenter = (kMomentRadius + 1) * (kSide + 1);
 
-TEST(SumDiscMomentsTest, IsItsScalarTwin) {
+TEST(SumDiscMomentsTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 50; ++seed) {
       const auto image = test::RandomBytes(kSide * kSide, seed);
@@ -21,7 +21,7 @@ TEST(SumDiscMomentsTest, IsItsScalarTwin) {
   });
 }
 
-TEST(SumDiscMomentsTest, TheStrongestContrastIsHeld) {
+TEST(SumDiscMomentsTest, StrongestContrastDoesNotOverflow) {
   std::vector<std::uint8_t> image(kSide * kSide, 0);
   for (int i = kCenter; i < kSide * kSide; ++i) image[i] = 255;
   test::ForEveryInstructionSet([&] {
@@ -30,7 +30,7 @@ TEST(SumDiscMomentsTest, TheStrongestContrastIsHeld) {
   });
 }
 
-TEST(SumDiscMomentsTest, IsTheSumOverTheDisc) {
+TEST(SumDiscMomentsTest, EqualsTheSumOverTheDisc) {
   const auto image = test::RandomBytes(kSide * kSide, 1);
   DiscMoments expected;
   for (int dy = -15; dy <= 15; ++dy) {

@@ -21,7 +21,7 @@ Nearest Find(const Descriptor& query, const Descriptors& train, const std::vecto
   return FindNearestAmong(query, train.data(), among.data(), static_cast<int>(among.size()));
 }
 
-/// Every third of `count`, in an order that is not theirs.
+/// Returns every third index below `count`, shuffled.
 std::vector<int> SomeIndices(int count) {
   std::vector<int> indices;
   for (int i = 0; i < count; i += 3) indices.push_back(i);
@@ -29,7 +29,7 @@ std::vector<int> SomeIndices(int count) {
   return indices;
 }
 
-TEST(FindNearestAmongTest, IsItsScalarTwin) {
+TEST(FindNearestAmongTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int count = 0; count < 100; ++count) {
       const auto among = SomeIndices(count);

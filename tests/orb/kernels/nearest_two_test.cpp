@@ -42,7 +42,7 @@ std::vector<Nearest> FindByTwin(const Descriptors& queries, const Descriptors& t
   return FindWith(scalar::FindNearestTwo, queries, train);
 }
 
-/// Around the numbers that are worked on at a time.
+/// Returns numbers of train descriptors around the block sizes of the kernels.
 const std::vector<int>& TrainCounts() {
   static const std::vector<int> counts = {
       0,   1,   2,   3,   7,    8,    9,    15,   16,   17,   31,   32,   33,   63,   64,   65,
@@ -50,7 +50,7 @@ const std::vector<int>& TrainCounts() {
   return counts;
 }
 
-TEST(FindNearestTwoTest, IsItsScalarTwinOnIndependentBits) {
+TEST(FindNearestTwoTest, MatchesTheScalarVersionOnIndependentBits) {
   test::ForEveryInstructionSet([] {
     const auto queries = RandomDescriptors(11, 1);
     for (const int count : TrainCounts()) {
@@ -60,7 +60,7 @@ TEST(FindNearestTwoTest, IsItsScalarTwinOnIndependentBits) {
   });
 }
 
-TEST(FindNearestTwoTest, IsItsScalarTwinWhereDistancesAreEqual) {
+TEST(FindNearestTwoTest, MatchesTheScalarVersionOnEqualDistances) {
   test::ForEveryInstructionSet([] {
     const auto queries = SimilarDescriptors(11, 3);
     for (const int count : TrainCounts()) {
@@ -70,7 +70,7 @@ TEST(FindNearestTwoTest, IsItsScalarTwinWhereDistancesAreEqual) {
   });
 }
 
-TEST(FindNearestTwoTest, IsItsScalarTwinForAnyNumberOfQueries) {
+TEST(FindNearestTwoTest, MatchesTheScalarVersionForAnyNumberOfQueries) {
   test::ForEveryInstructionSet([] {
     const auto train = RandomDescriptors(70, 5);
     for (int count = 0; count < 20; ++count) {
@@ -80,7 +80,7 @@ TEST(FindNearestTwoTest, IsItsScalarTwinForAnyNumberOfQueries) {
   });
 }
 
-TEST(FindNearestTwoTest, OfEqualDescriptorsTheFirstTwoAreNearest) {
+TEST(FindNearestTwoTest, EqualDescriptorsResolveToTheFirstTwo) {
   test::ForEveryInstructionSet([] {
     const Descriptors train(2100, FilledDescriptor(0x5a));
     EXPECT_THAT(Find({3, FilledDescriptor(0x5a)}, train), Each(Nearest{0, 0, 0, 1}));
@@ -88,7 +88,7 @@ TEST(FindNearestTwoTest, OfEqualDescriptorsTheFirstTwoAreNearest) {
   });
 }
 
-TEST(FindNearestTwoTest, OppositesAre256Apart) {
+TEST(FindNearestTwoTest, ComplementsAre256Apart) {
   test::ForEveryInstructionSet([] {
     const Descriptors queries = {FilledDescriptor(0), FilledDescriptor(0xff)};
     const Descriptors ones(1500, FilledDescriptor(0xff));
@@ -98,7 +98,7 @@ TEST(FindNearestTwoTest, OppositesAre256Apart) {
   });
 }
 
-TEST(FindNearestTwoTest, TheNearestMayStandAnywhere) {
+TEST(FindNearestTwoTest, FindsTheNearestAtAnyIndex) {
   test::ForEveryInstructionSet([] {
     for (int index = 0; index < 2100; index += 1 + index / 40) {
       Descriptors train(2100, FilledDescriptor(0xff));
@@ -110,7 +110,7 @@ TEST(FindNearestTwoTest, TheNearestMayStandAnywhere) {
   });
 }
 
-TEST(FindNearestTwoTest, AddsToWhatWasFoundBefore) {
+TEST(FindNearestTwoTest, UpdatesAnEarlierResult) {
   test::ForEveryInstructionSet([] {
     const Descriptors train = {FilledDescriptor(1), FilledDescriptor(3)};
     const Descriptors queries = {FilledDescriptor(0)};

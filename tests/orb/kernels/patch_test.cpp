@@ -13,7 +13,7 @@ constexpr int kCenter = kPatchRadius * (kStride + 1);
 using Numbers = std::array<std::uint16_t, (2 * kPatchRadius + 1) * kStride>;
 using Bytes = std::array<std::uint8_t, kPatchTests / 8>;
 
-/// Tests between numbers drawn at random from the whole patch; the first ones from its corners.
+/// Returns tests between random positions of the whole patch; the first two compare its corners.
 PatchTests MakeTests(unsigned seed) {
   std::mt19937 random(seed);
   const auto draw = [&] {
@@ -31,7 +31,7 @@ PatchTests MakeTests(unsigned seed) {
   return tests;
 }
 
-TEST(TestPatchTest, IsItsScalarTwin) {
+TEST(TestPatchTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 40; ++seed) {
       std::mt19937 random(seed);
@@ -47,7 +47,7 @@ TEST(TestPatchTest, IsItsScalarTwin) {
   });
 }
 
-TEST(TestPatchTest, ABitIsOneWhereTheNumberAtPIsLess) {
+TEST(TestPatchTest, BitIsOneWhereTheNumberAtPIsLess) {
   Numbers patch{};
   patch[kCenter + 3 * kStride + 5] = 1;
   PatchTests tests{};

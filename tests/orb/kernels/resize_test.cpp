@@ -8,7 +8,7 @@
 namespace corvo::orb::kernels {
 namespace {
 
-TEST(InterpolateRowTest, IsItsScalarTwin) {
+TEST(InterpolateRowTest, MatchesTheScalarVersion) {
   constexpr int kCount = 43;
   std::mt19937 random(1);
   std::vector<std::uint8_t> first(kCount * kTapReach, 0x80);
@@ -33,7 +33,7 @@ TEST(InterpolateRowTest, IsItsScalarTwin) {
   });
 }
 
-TEST(BlendRowsTest, IsItsScalarTwin) {
+TEST(BlendRowsTest, MatchesTheScalarVersion) {
   std::mt19937 random(2);
   constexpr int kMost = 255 << kWeightBits;
   test::ForEveryInstructionSet([&] {

@@ -21,7 +21,7 @@ FitTemplate RandomTemplate(unsigned seed) {
   return wanted;
 }
 
-TEST(FitWindowTest, IsItsScalarTwin) {
+TEST(FitWindowTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 100; ++seed) {
       const auto pixels = test::RandomBytes(kStride * kStride, seed);
@@ -33,15 +33,15 @@ TEST(FitWindowTest, IsItsScalarTwin) {
   });
 }
 
-TEST(FitWindowTest, SumsByHand) {
+TEST(FitWindowTest, SumsEqualAHandComputedExample) {
   std::vector<std::uint8_t> pixels(kStride * kStride);
   for (int i = 0; i < kStride * kStride; ++i) {
     pixels[i] = static_cast<std::uint8_t>(128 + 2 * (i % kStride) + 4 * (i / kStride));
   }
   FitTemplate wanted{};
-  wanted.gray[0] = 3;               // At column 0, row 0,
-  wanted.by_x[kFitSide - 1] = 5;    // column 7, row 0,
-  wanted.by_y[kFitPixels - 1] = 7;  // column 7, row 7.
+  wanted.gray[0] = 3;               // Column 0, row 0.
+  wanted.by_x[kFitSide - 1] = 5;    // Column 7, row 0.
+  wanted.by_y[kFitPixels - 1] = 7;  // Column 7, row 7.
   const WindowFit fit = scalar::FitWindow({pixels.data(), kStride, 0.5F, 0.25F}, wanted);
   EXPECT_FLOAT_EQ(fit.with_gray, 3 * (1 + 1));
   EXPECT_FLOAT_EQ(fit.with_x, 5 * (1 + 1 + 14));

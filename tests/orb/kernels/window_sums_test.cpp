@@ -8,7 +8,7 @@
 namespace corvo::orb::kernels {
 namespace {
 
-TEST(SumWindowRowTest, IsItsScalarTwin) {
+TEST(SumWindowRowTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (int width = 5; width < 200; ++width) {
       const auto image = test::RandomBytes(5 * width, width);
