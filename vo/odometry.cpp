@@ -41,8 +41,8 @@ Odometry::~Odometry() = default;
 
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
   // Invalid input leaves the state unchanged.
-  orb::CheckInput(image, mask);
   CheckImage(image, camera());
+  orb::CheckInput(image, mask);
   history_->CheckNext(time_ns);
   clock_.Reset();
   // An image that repeats the previous one says nothing about the motion: it gets the same pose.
@@ -50,9 +50,9 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   if (repeats_->Add(reduced)) return history_->ResultOf(history_->AddRepeat(time_ns), map_);
   // Texture that moves with the camera would hold the pose in place: it is masked.
   const bool has_overlay_grown = overlay_->Add(reduced);
-  const cv::Mat used = overlay_->Exclude(mask, image.size());
-  if (has_overlay_grown) RemoveOverlay(used);
-  Frame frame = ExtractFrame(image, time_ns, used);
+  used_mask_ = overlay_->Exclude(mask, image.size());
+  if (has_overlay_grown) RemoveOverlay(used_mask_);
+  Frame frame = ExtractFrame(image, time_ns, used_mask_);
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);

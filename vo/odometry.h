@@ -97,6 +97,10 @@ class Odometry {
   /// `landmarks[k]`, or none if that is kNoId. The frame is empty before the first image.
   const Frame& last_frame() const;
 
+  /// Returns the 8-bit mask with which the last image was searched for features: the given mask,
+  /// less what moves with the camera. It is empty if nothing was excluded.
+  const cv::Mat& last_mask() const { return used_mask_; }
+
   /// Returns the current estimate of the camera, which is the given one at first.
   const Camera& camera() const { return map_.camera(); }
   /// Returns the camera's difference from the given one, with its covariance.
@@ -152,6 +156,7 @@ class Odometry {
   State state_ = State::kInitializing;
   int segment_ = kNoId;  // kNoId until a pose or rotation is known.
   Frame previous_;       // The last posed frame.
+  cv::Mat used_mask_;
   StageClock clock_;
 };
 

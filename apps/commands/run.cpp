@@ -76,7 +76,7 @@ RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
     timing.total_ms = watch.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
-    drawings.Add(next->image, record.odometry.last_frame(), frame);
+    drawings.Add(next->image, record.odometry.last_mask(), record.odometry.last_frame(), frame);
     progress.Add(frame);
     watch.LapMs();
     if (!interruption.IsRequested()) continue;

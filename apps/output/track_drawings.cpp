@@ -12,6 +12,7 @@ namespace {
 
 const cv::Scalar kTracked(80, 220, 60);  // BGR
 const cv::Scalar kTrail(60, 160, 255);
+const cv::Scalar kExcluded(0.2, 0.2, 0.6);  // Factors of B, G and R.
 const cv::Scalar kUntracked(150, 150, 150);
 
 cv::Point2f PixelOf(const Frame& frame, int keypoint) {
@@ -37,10 +38,15 @@ void DrawCaption(const FrameResult& result, cv::Mat& image) {
 
 }  // namespace
 
-cv::Mat DrawTracks(const cv::Mat& image, const Frame& frame, const FrameResult& result,
-                   const std::map<LandmarkId, cv::Point2f>& previous) {
+cv::Mat DrawTracks(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
+                   const FrameResult& result, const std::map<LandmarkId, cv::Point2f>& previous) {
   cv::Mat drawing;
   cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
+  if (!mask.empty()) {
+    cv::Mat dark;
+    cv::multiply(drawing, kExcluded, dark);
+    dark.copyTo(drawing, mask == 0);
+  }
   for (int i = 0; i < frame.num_keypoints(); ++i) {
     if (frame.landmarks[i] == kNoId) cv::circle(drawing, PixelOf(frame, i), 1, kUntracked, -1);
   }
@@ -61,10 +67,11 @@ TrackDrawings::TrackDrawings(const std::filesystem::path& folder) : folder_(fold
     throw Error(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
 }
 
-void TrackDrawings::Add(const cv::Mat& image, const Frame& frame, const FrameResult& result) {
+void TrackDrawings::Add(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
+                        const FrameResult& result) {
   if (folder_.empty()) return;
   const std::filesystem::path file = folder_ / fmt::format("{:06}.jpg", result.index);
-  if (!cv::imwrite(file.string(), DrawTracks(image, frame, result, previous_))) {
+  if (!cv::imwrite(file.string(), DrawTracks(image, mask, frame, result, previous_))) {
     throw Error(fmt::format("{}: cannot be written", file.string()));
   }
   previous_ = PixelsOfLandmarks(frame);

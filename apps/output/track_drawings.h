@@ -12,10 +12,11 @@
 namespace corvo {
 
 /// Returns the image in color with the frame's keypoints and a caption with its index, state and
-/// number of inliers. Keypoints that observe a landmark are green circles, with a line from the
-/// landmark's pixel in `previous`; the others are gray dots.
-cv::Mat DrawTracks(const cv::Mat& image, const Frame& frame, const FrameResult& result,
-                   const std::map<LandmarkId, cv::Point2f>& previous);
+/// number of inliers. Where `mask` is not empty and zero, the image is dark red. Keypoints that
+/// observe a landmark are green circles, with a line from the landmark's pixel in `previous`; the
+/// others are gray dots.
+cv::Mat DrawTracks(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
+                   const FrameResult& result, const std::map<LandmarkId, cv::Point2f>& previous);
 
 /// Draws the tracked features of every frame into a folder: 000000.jpg, 000001.jpg ...
 class TrackDrawings {
@@ -24,8 +25,10 @@ class TrackDrawings {
   /// cannot be created.
   explicit TrackDrawings(const std::filesystem::path& folder);
 
-  /// Draws a frame. Throws corvo::Error if the image cannot be written.
-  void Add(const cv::Mat& image, const Frame& frame, const FrameResult& result);
+  /// Draws a frame, which was searched for features where `mask` is empty or not zero. Throws
+  /// corvo::Error if the image cannot be written.
+  void Add(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
+           const FrameResult& result);
 
  private:
   std::filesystem::path folder_;

@@ -45,6 +45,14 @@ std::vector<std::pair<Reason, int>> ByCount(const std::map<Reason, int>& reasons
   return sorted;
 }
 
+/// Returns how much was excluded because it moves with the camera; empty if it is hardly anything.
+std::string OverlayText(const RunSummary& summary) {
+  constexpr double kMinShare = 0.01;
+  if (summary.masked_share < kMinShare) return "";
+  return fmt::format("{:.0f}% of the image area moves with the camera and was excluded\n",
+                     100 * summary.masked_share);
+}
+
 /// Returns a histogram of the reasons, with advice on each.
 std::string ReasonsText(const RunSummary& summary) {
   constexpr int kBarColumns = 20;
@@ -124,6 +132,8 @@ void CountFrames(const Trajectory& trajectory, RunSummary& summary) {
   summary.reasons = CountReasons(trajectory);
   for (const FrameResult& frame : trajectory.frames) {
     ++summary.states[frame.state];
+    summary.num_repeated += frame.repeats != kNoId;
+    summary.masked_share += frame.masked_share / static_cast<double>(trajectory.frames.size());
     ++summary.window_adjustments[frame.window_adjustment];
     ++summary.camera_adjustments[frame.camera_adjustment];
   }
@@ -142,6 +152,8 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
   json["rotations"] = summary.num_rotations;
+  json["repeated"] = summary.num_repeated;
+  json["masked_share"] = summary.masked_share;
   json["segments"] = summary.num_segments;
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
@@ -205,7 +217,7 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       ToString(summary.outcome), summary.num_frames, summary.num_posed,
       100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
       summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
-  text += ReasonsText(summary) + ToText(summary.calibration);
+  text += OverlayText(summary) + ReasonsText(summary) + ToText(summary.calibration);
   if (summary.refinement) text += ToText(*summary.refinement);
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {

@@ -22,7 +22,9 @@ struct RunSummary {
   Outcome outcome = Outcome::kDone;
   int num_frames = 0;
   int num_posed = 0;
-  int num_rotations = 0;  ///< Number of frames with a rotation, with or without a pose.
+  int num_rotations = 0;    ///< Number of frames with a rotation, with or without a pose.
+  int num_repeated = 0;     ///< Number of frames whose image repeats that of an earlier one.
+  double masked_share = 0;  ///< Mean share of the image that moves with the camera, 0 to 1.
   int num_segments = 0;
   int num_keyframes = 0;
   int num_landmarks = 0;

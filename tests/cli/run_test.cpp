@@ -130,9 +130,10 @@ TEST_F(Run, LogsEveryFrame) {
   RunHere({"--fps", "10"});
   const std::string table = ReadText(result_ / "frames.csv");
   EXPECT_EQ(CountLines(table), 6);
-  EXPECT_THAT(table,
-              StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
-                         "inliers,parallax,window_adjustment,camera_adjustment\n0,0.000000000,"));
+  EXPECT_THAT(
+      table,
+      StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
+                 "inliers,parallax,masked,window_adjustment,camera_adjustment\n0,0.000000000,"));
   EXPECT_THAT(table, HasSubstr("\n4,0.400000000,"));
   EXPECT_EQ(CountLines(ReadText(result_ / "timing.csv")), 6);
   const nlohmann::json summary = Summary();

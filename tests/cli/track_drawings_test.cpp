@@ -33,7 +33,7 @@ int Color(const cv::Mat& image, int x, int y) {
 }
 
 TEST(DrawTracks, MarksKeypointsThatObserveALandmark) {
-  const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {});
+  const cv::Mat image = DrawTracks(kImage, cv::Mat(), TwoKeypoints(), {}, {});
   ASSERT_EQ(image.size(), kImage.size());
   EXPECT_GT(Color(image, 23, 20), 50);
   EXPECT_EQ(Color(image, 60, 20), 0);
@@ -42,9 +42,19 @@ TEST(DrawTracks, MarksKeypointsThatObserveALandmark) {
 }
 
 TEST(DrawTracks, DrawsALineFromTheEarlierPixelOfALandmark) {
-  const cv::Mat image = DrawTracks(kImage, TwoKeypoints(), {}, {{7, {50, 20}}, {8, {100, 60}}});
+  const cv::Mat image =
+      DrawTracks(kImage, cv::Mat(), TwoKeypoints(), {}, {{7, {50, 20}}, {8, {100, 60}}});
   EXPECT_GT(Color(image, 40, 20), 50);
   EXPECT_EQ(Color(image, 100, 60), 0);
+}
+
+TEST(DrawTracks, DarkensWhatIsMasked) {
+  cv::Mat mask(kImage.size(), CV_8UC1, cv::Scalar(255));
+  mask.rowRange(80, 100) = 0;
+  const cv::Mat image =
+      DrawTracks(cv::Mat(100, 200, CV_8UC1, cv::Scalar(200)), mask, TwoKeypoints(), {}, {});
+  EXPECT_GT(Color(image, 190, 85), 50);
+  EXPECT_EQ(Color(image, 190, 60), 0);
 }
 
 TEST(TrackDrawings, AreNumberedLikeTheFrames) {
@@ -52,12 +62,12 @@ TEST(TrackDrawings, AreNumberedLikeTheFrames) {
   TrackDrawings images(folder / "a/b");
   FrameResult result;
   result.index = 42;
-  images.Add(kImage, TwoKeypoints(), result);
+  images.Add(kImage, cv::Mat(), TwoKeypoints(), result);
   EXPECT_EQ(cv::imread((folder / "a/b/000042.jpg").string()).size(), kImage.size());
 }
 
 TEST(TrackDrawings, RequireAFolder) {
-  TrackDrawings("").Add(kImage, TwoKeypoints(), {});
+  TrackDrawings("").Add(kImage, cv::Mat(), TwoKeypoints(), {});
   test::TempFolder folder;
   test::WriteText(folder / "file", "");
   EXPECT_THAT(test::ErrorOf([&] { TrackDrawings images(folder / "file"); }),
