@@ -7,16 +7,16 @@
 namespace corvo::orb {
 namespace {
 
-/// Bit i stands for share i.
+/// A set of shares; bit i stands for share i.
 using Set = std::uint64_t;
 
-/// Calls `visit(i)` for the members, ascending.
+/// Calls `visit(i)` for the members of `set`, in ascending order.
 template <typename Visit>
 void ForEach(Set set, const Visit& visit) {
   for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
 }
 
-/// Proportional shares of what is left among those that are open.
+/// The proportional division of the remaining total among the open shares.
 struct Division {
   std::span<const std::int64_t> weights;
   std::int64_t left;
@@ -30,7 +30,7 @@ struct Division {
   std::int64_t Remainder(int i) const { return left * weights[i] % weight_sum; }
 };
 
-/// The open share of largest remainder.
+/// Returns the open share with the largest remainder.
 int FindNeediest(const Division& division, Set open) {
   int neediest = std::countr_zero(open);
   ForEach(open, [&](int i) {

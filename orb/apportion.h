@@ -6,10 +6,10 @@
 
 namespace corvo::orb {
 
-/// Shares `total` out in proportion to `weights`, no share above its capacity. What one cannot take
-/// goes to the others in proportion; the shares sum to min(total, sum of capacities). Rounding is
-/// by largest remainder, ties to the lower index. Weights are positive where capacities are. The
-/// three spans are of one size, at most 64.
+/// Divides `total` in proportion to `weights`, with no share above its capacity. The excess of a
+/// capped share is divided among the others in proportion to their weights; the shares sum to
+/// min(total, sum of capacities). Rounding is by largest remainder, ties to the lower index.
+/// Weights are positive where capacities are. The three spans have the same size, at most 64.
 void Apportion(int total, std::span<const std::int64_t> weights, std::span<const int> capacities,
                std::span<int> shares);
 

@@ -8,8 +8,9 @@
 
 namespace corvo {
 
-/// Misuse or bad input: a value out of range, an unreadable file, an image of the wrong type. The
-/// message names the file or field, the value, and what is allowed. Losing track is not an Error.
+/// The exception for misuse or bad input: a value out of range, an unreadable file, an image of the
+/// wrong type. The message names the file or field, the value, and what is allowed. Tracking loss
+/// is not an Error.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

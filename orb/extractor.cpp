@@ -44,12 +44,12 @@ int WantedFeatures(const ExtractorOptions& options, int image_width) {
   return image_width >= 1000 ? 2000 : 1000;
 }
 
-/// The nearest pixel of the level, if a keypoint there can be described.
+/// Returns the level's pixel nearest to a keypoint, or std::nullopt if it cannot be described.
 std::optional<cv::Point> DescribablePixel(const PyramidLevel& level, const Keypoint& keypoint) {
   const double x = level.LevelX(keypoint.x);
   const double y = level.LevelY(keypoint.y);
   const bool near_image = x >= 0 && x < level.image.cols && y >= 0 && y < level.image.rows;
-  if (!near_image) return std::nullopt;  // Also where a coordinate is not a number.
+  if (!near_image) return std::nullopt;  // Also if a coordinate is NaN.
   const cv::Point pixel(RoundHalfUp(x), RoundHalfUp(y));
   if (!InsideBorder(level.image).contains(pixel)) return std::nullopt;
   return pixel;
@@ -57,13 +57,13 @@ std::optional<cv::Point> DescribablePixel(const PyramidLevel& level, const Keypo
 
 bool IsDirection(float angle_deg) { return angle_deg >= 0.0F && angle_deg < 360.0F; }
 
-/// Describes keypoints of any level, best those of one level together and in order of rows.
+/// Describes keypoints of any level; efficient if they are grouped by level and ordered by row.
 class KeypointDescriber {
  public:
   KeypointDescriber(const std::vector<PyramidLevel>& levels, const Describer& describer)
       : levels_(levels), describer_(describer) {}
 
-  /// None where the keypoint cannot be described. Measures its angle if it has none.
+  /// Returns std::nullopt if the keypoint cannot be described. Measures its angle if it has none.
   std::optional<Descriptor> Describe(Keypoint& keypoint) {
     if (keypoint.octave < 0 || keypoint.octave >= static_cast<int>(levels_.size())) return {};
     const PyramidLevel& level = levels_[keypoint.octave];
@@ -80,15 +80,15 @@ class KeypointDescriber {
  private:
   const std::vector<PyramidLevel>& levels_;
   const Describer& describer_;
-  int octave_ = -1;  ///< That sums_ is of.
+  int octave_ = -1;  ///< The octave of sums_.
   WindowSumBand sums_;
 };
 
-/// Indices of the keypoints by octave, then by row.
+/// Returns the indices of the keypoints ordered by octave, then by row.
 std::vector<int> OrderByRow(std::span<const Keypoint> keypoints) {
   std::vector<int> order(keypoints.size());
   std::iota(order.begin(), order.end(), 0);
-  // A coordinate that is not a number is not ordered, but stands for no row at all.
+  // NaN would break the strict weak ordering; keypoints without a finite row sort as row -1.
   const auto row_of = [&](int i) { return std::isfinite(keypoints[i].y) ? keypoints[i].y : -1; };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return std::pair(keypoints[a].octave, row_of(a)) < std::pair(keypoints[b].octave, row_of(b));
@@ -126,7 +126,7 @@ void CheckInput(const cv::Mat& image, const cv::Mat& mask) {
   throw Error("mask is " + SizeText(mask) + "; allowed is the image's size, " + SizeText(image));
 }
 
-/// What one call of Extract() works in.
+/// The buffers of one call of Extract().
 struct Buffers {
   Buffers(const std::vector<double>& octave_scales, int threads)
       : pyramid(octave_scales),
@@ -139,22 +139,23 @@ struct Buffers {
 
   Pyramid pyramid;
   std::vector<LevelExtractor> levels;
-  std::vector<std::int64_t> weights;  ///< Of the levels, in the quotas.
+  std::vector<std::int64_t> weights;  ///< Weights of the levels in the quotas.
   std::vector<int> num_corners;
   std::vector<int> quotas;
-  std::vector<int> starts;  ///< Of the levels' features.
+  std::vector<int> starts;  ///< Index of each level's first feature.
   Workers workers;
 };
 
-/// By area, as a grid has cells. Where there is none coarse levels, whose corners are found again
-/// in spite of blur and noise, get more: by the root of a level's side. In thousandths.
+/// Returns the weight of a level in the quotas. With a grid it is the area, proportional to the
+/// number of cells. Without one it is the square root of the level's side, in thousandths: coarse
+/// levels, whose corners are more repeatable under blur and noise, get more.
 std::int64_t WeightOf(const PyramidLevel& level, bool grid) {
   const std::int64_t area = InsideBorder(level.image).area();
   if (grid) return area;
   return std::llround(1000 * std::sqrt(std::sqrt(static_cast<double>(area))));
 }
 
-/// Shares the wanted number of features out to the levels.
+/// Divides the wanted number of features among the levels.
 void SetQuotas(int wanted, bool grid, Buffers& buffers) {
   const std::vector<PyramidLevel>& levels = buffers.pyramid.levels();
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -165,7 +166,7 @@ void SetQuotas(int wanted, bool grid, Buffers& buffers) {
   std::exclusive_scan(buffers.quotas.begin(), buffers.quotas.end(), buffers.starts.begin(), 0);
 }
 
-/// Lends buffers, made when there are none left.
+/// Lends buffers to concurrent calls, and makes new ones if none are free. Thread-safe.
 class BufferPool {
  public:
   std::unique_ptr<Buffers> Take(const std::vector<double>& octave_scales, int threads) {

@@ -10,8 +10,8 @@ namespace {
 
 using kernels::kCircleRadius;
 
-/// Scores are computed in the region and around it, so that its edge is suppressed like the rest;
-/// not where the circle would leave the image.
+/// Returns the area in which scores are computed: the region and one pixel around it, so that
+/// suppression works at its edge, except where the circle would leave the image.
 cv::Rect ScoredArea(const cv::Mat& image, const cv::Rect& region) {
   const cv::Rect grown(region.x - 1, region.y - 1, region.width + 2, region.height + 2);
   return grown & cv::Rect(kCircleRadius, kCircleRadius, std::max(0, image.cols - 2 * kCircleRadius),

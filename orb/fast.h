@@ -9,31 +9,31 @@
 
 namespace corvo::orb {
 
-/// A FAST corner: integer pixel and score.
+/// A FAST corner: an integer pixel and a score.
 struct Corner {
   int x = 0;
   int y = 0;
-  int score = 0;  ///< The largest threshold at which the pixel is still a corner, gray levels.
+  int score = 0;  ///< The largest threshold at which the pixel is a corner, gray levels.
 
   bool operator==(const Corner&) const = default;
 };
 
-/// FAST-9 corners after 3x3 non-maximum suppression (Rosten and Drummond, "Machine learning for
-/// high-speed corner detection", ECCV 2006): pixels with 9 contiguous pixels of the 16 on the
-/// circle of radius 3 all brighter than the center by more than `threshold`, or all darker; of
-/// these, the ones whose score exceeds that of all 8 neighbors (neighbors of equal score suppress
-/// one another). Hence the corners at a higher threshold are those of this score. Keeps its
-/// buffers.
+/// Detects FAST-9 corners with 3x3 non-maximum suppression (Rosten and Drummond, "Machine learning
+/// for high-speed corner detection", ECCV 2006). A corner has 9 contiguous pixels, out of the 16 on
+/// the circle of radius 3, that are all brighter than the center by more than `threshold`, or all
+/// darker. Only corners whose score exceeds that of all 8 neighbors are kept (neighbors of equal
+/// score suppress each other). The corners at a higher threshold are therefore exactly those whose
+/// score reaches it. Keeps its buffers; not thread-safe.
 class FastDetector {
  public:
-  /// `image` is 8-bit, one channel, at most 65535 px wide; `threshold` 1 to 254. Sets `corners` to
-  /// those of the whole image that lie in `region`, in row-major order; within 3 px of the image's
-  /// edge there are none.
+  /// Sets `corners` to the corners of the whole image that lie in `region`, in row-major order.
+  /// There are none within 3 px of the image's edges. `image` is 8-bit, one channel, at most 65535
+  /// px wide; `threshold` is 1 to 254.
   void Detect(const cv::Mat& image, int threshold, const cv::Rect& region,
               std::vector<Corner>& corners);
 
  private:
-  /// Scores of the image's row `y`; one more on each side.
+  /// Returns the scores of image row `y`, with one more element on each side.
   std::uint8_t* ScoreRow(int y) { return scores_[y % 3].data() + 1; }
   void AppendMaxima(int y, const cv::Rect& region, std::vector<Corner>& corners);
 
@@ -41,10 +41,10 @@ class FastDetector {
   std::vector<std::uint16_t> columns_;
 };
 
-/// As FastDetector.
+/// Returns the corners that FastDetector::Detect() finds in `region`.
 std::vector<Corner> DetectFast(const cv::Mat& image, int threshold, const cv::Rect& region);
 
-/// As above, over the whole image.
+/// Returns the corners of the whole image.
 std::vector<Corner> DetectFast(const cv::Mat& image, int threshold);
 
 }  // namespace corvo::orb

@@ -19,28 +19,29 @@ CornerRank RankOf(const Corner& corner, std::size_t index) {
 
 int IndexOf(CornerRank rank) { return static_cast<int>(~static_cast<std::uint32_t>(rank)); }
 
-/// The highest rank below `bound`, 0 if there is none. Ranks differ.
+/// Returns the highest rank below `bound`, or 0 if there is none. All ranks differ.
 CornerRank BestBelow(CornerRank bound, std::span<const CornerRank> ranks) {
   CornerRank best = 0;
   for (const CornerRank rank : ranks) best = std::max(best, rank < bound ? rank : 0);
   return best;
 }
 
-/// Sets the first `count` ranks to the best, in order; the others may be lost.
+/// Sets the first `count` elements to the best ranks, in descending order; the other ranks may be
+/// lost.
 void PutBestFirst(std::span<CornerRank> ranks, std::ptrdiff_t count) {
   constexpr std::ptrdiff_t kFew = 4;
   if (count > kFew) {
     std::partial_sort(ranks.begin(), ranks.begin() + count, ranks.end(), std::greater<>());
     return;
   }
-  // To look through them again and again takes no branches that are hard to guess.
+  // Repeated scans avoid unpredictable branches.
   std::array<CornerRank, kFew> best{};
   CornerRank bound = std::numeric_limits<CornerRank>::max();
   for (std::ptrdiff_t i = 0; i < count; ++i) best[i] = bound = BestBelow(bound, ranks);
   std::copy_n(best.begin(), count, ranks.begin());
 }
 
-/// Number of cells of about `cell_size` that a length is divided into.
+/// Returns the number of cells of about `cell_size` into which a length is divided.
 int NumCells(int length, int cell_size) {
   return std::max(1, (length + cell_size / 2) / cell_size);
 }
@@ -81,7 +82,7 @@ void GridSelector::GroupByCell(std::span<const Corner> corners) {
 int GridSelector::FullRounds(int quota) {
   cells_with_more_.assign(1, 0);
   int begin = 0;
-  for (const int end : cell_ends_) {  // Counted at the cell's size, then summed from the top.
+  for (const int end : cell_ends_) {  // Histogram of cell sizes, then its suffix sums.
     const std::size_t size = end - std::exchange(begin, end);
     if (size == 0) continue;
     if (cells_with_more_.size() < size) cells_with_more_.resize(size, 0);
@@ -125,7 +126,7 @@ void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area,
   FindCells(corners, area, cell_size);
   next_.clear();
   std::copy_if(best_.begin(), best_.end(), std::back_inserter(next_), std::identity());
-  if (std::ssize(next_) <= quota) {  // There is room for a round of all cells at least.
+  if (std::ssize(next_) <= quota) {  // The quota allows at least one round of all cells.
     next_.clear();
     GroupByCell(corners);
     TakeRounds(FullRounds(quota), chosen);

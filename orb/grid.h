@@ -11,42 +11,46 @@
 
 namespace corvo::orb {
 
-/// A corner's score above the complement of its index: the higher goes first.
+/// A corner's score (upper 32 bits) and the complement of its index (lower 32 bits). Higher ranks
+/// are selected first.
 using CornerRank = std::uint64_t;
 
-/// Picks corners of one level after another; keeps its buffers.
+/// Selects well-distributed corners in one pyramid level at a time. Keeps its buffers; not
+/// thread-safe.
 class GridSelector {
  public:
   /// Sets `chosen` to the ascending indices of min(quota, corners.size()) corners, spread over
   /// equal cells of about `cell_size` px that tile `area`. `corners` are in row-major order and lie
-  /// in `area`. Every cell gives its k of highest score (or all it has) for the largest k that fits
-  /// the quota; what remains goes to the highest of those next in their cells. Ties go to the lower
-  /// index.
+  /// in `area`. Each cell contributes its k corners of highest score (or all it has), with the
+  /// largest k that does not exceed the quota; the rest of the quota is filled with the highest
+  /// scores among each cell's next corner. Ties go to the lower index.
   void Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size, int quota,
               std::vector<int>& chosen);
 
  private:
-  /// Sets the cell of each corner, and the best corner of each cell.
+  /// Computes the cell of each corner and the best corner of each cell.
   void FindCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size);
   /// Groups the corners by cell.
   void GroupByCell(std::span<const Corner> corners);
-  /// The largest k for which the k best of every cell are at most `quota` together.
+  /// Returns the largest k for which the k best corners of every cell do not exceed `quota` in
+  /// total.
   int FullRounds(int quota);
-  /// Appends the `rounds` best of every cell to `chosen`, and collects those that come next.
+  /// Appends the `rounds` best corners of every cell to `chosen`, and collects each cell's next
+  /// corner in next_.
   void TakeRounds(int rounds, std::vector<int>& chosen);
-  /// Appends the best `count` of those collected.
+  /// Appends the best `count` corners of next_ to `chosen`.
   void TakeNext(int count, std::vector<int>& chosen);
 
-  std::vector<int> column_of_x_;  ///< Cell column of area.x + i.
-  std::vector<int> cell_of_;      ///< By corner.
-  std::vector<CornerRank> best_;  ///< By cell; 0 where it is empty.
+  std::vector<int> column_of_x_;  ///< The cell column of image column area.x + i.
+  std::vector<int> cell_of_;      ///< The cell index, by corner.
+  std::vector<CornerRank> best_;  ///< The best rank, by cell; 0 if it is empty.
   std::vector<int> cell_ends_;
-  std::vector<CornerRank> members_;  ///< Those of a cell end where those of the next begin.
+  std::vector<CornerRank> members_;  ///< Grouped by cell; cell c ends at cell_ends_[c].
   std::vector<int> cells_with_more_;
   std::vector<CornerRank> next_;
 };
 
-/// As GridSelector.
+/// Returns the indices that GridSelector::Select() chooses.
 std::vector<int> SelectInGrid(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
                               int quota);
 

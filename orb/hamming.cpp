@@ -8,14 +8,14 @@
 namespace corvo::orb {
 namespace {
 
-/// Number of bits in each byte.
+/// Returns a word whose bytes are the numbers of set bits in the bytes of `word`.
 std::uint64_t CountBitsOfBytes(std::uint64_t word) {
   word -= word >> 1 & 0x5555555555555555;
   word = (word & 0x3333333333333333) + (word >> 2 & 0x3333333333333333);
   return (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0f;
 }
 
-/// Sum of the bytes, which are at most 127.
+/// Returns the sum of the bytes, which are at most 127.
 int SumBytes(std::uint64_t bytes) {
   const std::uint64_t pairs = (bytes & 0x00ff00ff00ff00ff) + (bytes >> 8 & 0x00ff00ff00ff00ff);
   return static_cast<int>(pairs * 0x0001000100010001 >> 48);
@@ -23,7 +23,8 @@ int SumBytes(std::uint64_t bytes) {
 
 }  // namespace
 
-// Does without the instruction that counts bits, which not every processor has. Kernels use it.
+// The population count instruction is not used, since not every processor has it. The kernels use
+// it.
 int HammingDistance(const Descriptor& a, const Descriptor& b) {
   std::array<std::uint64_t, 4> words_a;
   std::array<std::uint64_t, 4> words_b;

@@ -5,7 +5,7 @@
 
 namespace corvo::orb {
 
-/// Number of bits that differ, 0 to 256.
+/// Returns the number of bits that differ, 0 to 256.
 int HammingDistance(const Descriptor& a, const Descriptor& b);
 
 }  // namespace corvo::orb

@@ -21,7 +21,8 @@ void CheckFinite(std::span<const Keypoint> keypoints) {
   }
 }
 
-/// `position`, in cells, as the index of one of `count` cells; the first or last if it is beyond.
+/// Returns the index of the cell that contains `position`, in units of cells, clamped to [0,
+/// count).
 int CellAt(double position, int count) {
   return static_cast<int>(std::clamp(position, 0.0, count - 1.0));
 }

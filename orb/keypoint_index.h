@@ -10,7 +10,7 @@
 
 namespace corvo::orb {
 
-/// Where to look for keypoints: a disc in an image and a range of octaves.
+/// A search window for keypoints: a disc in an image and a range of octaves.
 struct SearchWindow {
   float x = 0;
   float y = 0;
@@ -19,35 +19,36 @@ struct SearchWindow {
   int max_octave = 0;
 };
 
-/// Finds the keypoints near a pixel, by cells of a grid over their bounding box. Copies what it
-/// needs of the keypoints.
+/// Finds the keypoints near a pixel with a grid of cells over their bounding box. Copies the data
+/// that it needs from the keypoints.
 class KeypointIndex {
  public:
   KeypointIndex() = default;
-  /// Keypoints may lie anywhere, but at finite coordinates; `cell_size_px` is positive (cells grow
-  /// where keypoints lie far apart). Throws corvo::Error otherwise.
+  /// Keypoints may lie anywhere; `cell_size_px` is the minimum side of a cell (cells are larger if
+  /// the bounding box would need too many). Throws corvo::Error if a coordinate is not finite or
+  /// `cell_size_px` is not positive.
   explicit KeypointIndex(std::span<const Keypoint> keypoints, float cell_size_px = 24);
 
-  /// Appends to `found` the indices of keypoints within the window (Euclidean distance, inclusive
-  /// range of octaves), in ascending order.
+  /// Appends the indices of the keypoints within the window (Euclidean distance, inclusive range of
+  /// octaves) to `found`, in ascending order.
   void Find(const SearchWindow& window, std::vector<int>& found) const;
 
-  /// As Find, but in any order.
+  /// Like Find(), but in unspecified order.
   void FindUnordered(const SearchWindow& window, std::vector<int>& found) const;
 
-  /// Number of keypoints.
+  /// Returns the number of keypoints.
   int size() const { return cell_starts_.empty() ? 0 : cell_starts_.back(); }
 
-  /// Memory held beyond the object itself.
+  /// Returns the memory held beyond the object itself, bytes.
   std::size_t num_bytes() const {
     return sizeof(int) * (cell_starts_.capacity() + octaves_.capacity() + indices_.capacity()) +
            sizeof(float) * (x_.capacity() + y_.capacity());
   }
 
  private:
-  /// Lays cells over the keypoints' bounding box.
+  /// Sets the cells that cover the keypoints' bounding box.
   void LayOut(std::span<const Keypoint> keypoints, double cell_size_px);
-  /// Sorts keypoints into the cells, those of a cell in their own order.
+  /// Groups the keypoints by cell, keeping their order within a cell.
   void SortIntoCells(std::span<const Keypoint> keypoints);
   int ColumnOf(double x) const;
   int RowOf(double y) const;
@@ -57,8 +58,8 @@ class KeypointIndex {
   double cells_per_px_ = 1;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> cell_starts_;  ///< Cell c holds keypoints cell_starts_[c] to [c + 1] - 1.
-  std::vector<float> x_;          ///< Of the keypoints by cells; some more behind the last.
+  std::vector<int> cell_starts_;  ///< First entry of each cell, then the number of entries.
+  std::vector<float> x_;          ///< Columns of the keypoints, grouped by cell, then padding.
   std::vector<float> y_;
   std::vector<int> octaves_;
   std::vector<int> indices_;

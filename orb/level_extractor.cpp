@@ -12,7 +12,7 @@
 namespace corvo::orb {
 namespace {
 
-/// Whether the mask keeps a pixel of a level: it is looked up at the nearest input pixel.
+/// Returns whether the mask keeps a pixel of a level. It is sampled at the nearest input pixel.
 bool IsKept(const cv::Mat& mask, const PyramidLevel& level, const Corner& corner) {
   const int column = std::min(RoundHalfUp(level.InputX(corner.x)), mask.cols - 1);
   const int row = std::min(RoundHalfUp(level.InputY(corner.y)), mask.rows - 1);

@@ -17,34 +17,36 @@
 
 namespace corvo::orb {
 
-/// Where a level may have keypoints.
+/// Returns the area of a level that may contain keypoints.
 cv::Rect InsideBorder(const cv::Mat& level_image);
 
-/// Room for features: as many keypoints as descriptors.
+/// The output of Describe(): as many keypoints as descriptors.
 struct FeatureSpan {
   std::span<Keypoint> keypoints;
   std::span<Descriptor> descriptors;
 };
 
-/// The features of one level of one image after another; keeps its buffers.
+/// Extracts the features of one level, from one image after another. Keeps its buffers; not
+/// thread-safe.
 class LevelExtractor {
  public:
-  /// Finds the level's corners inside border and mask. `mask` is empty or of the input's size.
+  /// Finds the level's corners inside border and mask. `mask` is empty or of the size of the input
+  /// image.
   void Detect(const PyramidLevel& level, const cv::Mat& mask, const ExtractorOptions& options);
 
   int num_corners() const { return static_cast<int>(corners_.size()); }
 
-  /// Selects as many corners as there is room for, no more than num_corners(), and sets their
-  /// keypoints and descriptors, in row-major order. `level` is the one they were found in.
+  /// Selects features.keypoints.size() corners, at most num_corners(), and sets their keypoints and
+  /// descriptors, in row-major order. `level` is the level passed to Detect().
   void Describe(const PyramidLevel& level, int octave, const ExtractorOptions& options,
                 const Describer& describer, FeatureSpan features);
 
  private:
-  /// Chooses the corners of highest rank wherever they are. Of Harris responses only those of the
-  /// corners with the highest scores count, two for each that is wanted: a corner has to be sharp
-  /// and large.
+  /// Chooses the corners of highest rank anywhere in the level. Harris responses rank only the 2 *
+  /// `quota` corners of highest FAST score, so that a chosen corner has high contrast and a large
+  /// response.
   void SelectAnywhere(const cv::Mat& image, int quota, const ExtractorOptions& options);
-  /// Sets the directions of the chosen corners.
+  /// Computes the directions of the chosen corners.
   void Orient(const cv::Mat& image);
 
   FastDetector detector_;

@@ -15,24 +15,25 @@
 namespace corvo::orb {
 namespace {
 
-constexpr int kMinAdded = 4096;   ///< Fewer descriptors are not worth a table.
-constexpr int kAddedShare = 32;   ///< Tables are made anew when one in so many is in none.
-constexpr int kTablesAtOnce = 2;  ///< After which a search asks whether it may end.
+constexpr int kMinAdded = 4096;   ///< Up to this many descriptors may be in no table.
+constexpr int kAddedShare = 32;   ///< So may up to 1/kAddedShare of those in tables.
+constexpr int kTablesAtOnce = 2;  ///< Tables probed between tests of whether to end.
 constexpr int kMinBits = 8, kMaxBits = 21;
 
-/// Four descriptors a bucket on average, up to eight.
+/// Returns the number of bits in a key, chosen to give four to eight descriptors per bucket, within
+/// the limits.
 int BitsAKey(std::size_t num_descriptors) {
   return std::clamp(static_cast<int>(std::bit_width(num_descriptors)) - 3, kMinBits, kMaxBits);
 }
 
-/// The next greater number with as many bits set (Gosper).
+/// Returns the next greater number with the same number of bits set (Gosper's hack).
 std::uint32_t NextWithEqualBits(std::uint32_t bits) {
   const std::uint32_t lowest = bits & (0 - bits);
   const std::uint32_t carried = bits + lowest;
   return carried | (((bits ^ carried) / lowest) >> 2);
 }
 
-/// Throws on a number out of its range.
+/// Throws corvo::Error if a number is out of its range.
 struct CheckField {
   template <typename T>
   void operator()(std::string_view name, const T& value, T min, T max, std::string_view) const {
@@ -44,7 +45,7 @@ struct CheckField {
 
 void LshIndexOptions::Validate() const { Visit(*this, CheckField{}); }
 
-/// One search.
+/// The state of one search.
 class LshIndex::Search {
  public:
   Search(const LshIndex& index, const Descriptor& query, int k)
@@ -73,15 +74,15 @@ class LshIndex::Search {
     int table = 0;
     std::uint32_t key = 0;
   };
-  static constexpr int kMaxBuckets = 256;      ///< That are on their way from memory.
-  static constexpr int kMaxCandidates = 1024;  ///< That are compared at once.
+  static constexpr int kMaxBuckets = 256;      ///< Buckets being prefetched.
+  static constexpr int kMaxCandidates = 1024;  ///< Descriptors compared at once.
 
-  /// Distance within which a descriptor must be to be kept.
+  /// Returns the largest distance at which a descriptor can still be kept.
   int FarthestKept() const {
     return static_cast<int>(nearest_.size()) < k_ ? Neighbor().distance : nearest_.back().distance;
   }
 
-  /// Those that are in no table.
+  /// Compares the descriptors that are in no table.
   void CompareAdded() {
     for (int i = index_.num_in_tables_; i < index_.size(); ++i) {
       AddCandidate(static_cast<std::uint32_t>(i));
@@ -89,7 +90,7 @@ class LshIndex::Search {
     Compare();
   }
 
-  /// The buckets whose keys differ from the query's in `flips` bits.
+  /// Probes the buckets whose keys differ from the query's in `flips` bits.
   void ProbeTable(int table, int flips) {
     const std::uint32_t end = std::uint32_t{1} << index_.bits_a_key();
     std::uint32_t flipped = (std::uint32_t{1} << flips) - 1;
@@ -105,7 +106,7 @@ class LshIndex::Search {
     buckets_[num_buckets_++] = {table, key};
   }
 
-  /// Makes candidates of what is in the buckets.
+  /// Adds the descriptors in the probed buckets to the candidates.
   void VisitBuckets() {
     for (int i = 0; i < num_buckets_; ++i) {
       const Table& table = index_.tables_[buckets_[i].table];
@@ -137,7 +138,7 @@ class LshIndex::Search {
     num_candidates_ = 0;
   }
 
-  /// The same descriptor may come from several tables.
+  /// Inserts a neighbor, unless it was already found in another table.
   void Keep(const Neighbor& neighbor) {
     const auto place = std::lower_bound(nearest_.begin(), nearest_.end(), neighbor);
     if (place != nearest_.end() && *place == neighbor) return;

@@ -13,13 +13,13 @@
 
 namespace corvo::orb {
 
-/// Options of LshIndex. `Visit` names every field once, with its range and meaning.
+/// The options of LshIndex. `Visit` calls the visitor for every field, with its range and meaning.
 struct LshIndexOptions {
   int num_tables = 8;
   int max_flips = 2;
   double recall = 0.8;
 
-  /// Throws corvo::Error naming the first field out of range.
+  /// Throws corvo::Error with the name of the first field that is out of range.
   void Validate() const;
 
   bool operator==(const LshIndexOptions&) const = default;
@@ -35,7 +35,7 @@ struct LshIndexOptions {
   }
 };
 
-/// Descriptor `index` of a set, and how far it is from a query.
+/// A descriptor of the set and its distance from a query.
 struct Neighbor {
   int distance = 257;  ///< Bits.
   int index = -1;
@@ -46,47 +46,51 @@ struct Neighbor {
   }
 };
 
-/// Finds the descriptors that are nearest to a query among millions. Multi-probe locality-sensitive
-/// hashing (Lv et al., "Multi-probe LSH", VLDB 2007) over disjoint bits, as in multi-index hashing
-/// (Norouzi et al., "Fast search in Hamming space with multi-index hashing", CVPR 2012), but of
-/// little correlation. A search looks into the query's bucket of every table, then into those one
-/// flipped bit of the key away, then two, and takes all bits to flip alike: a descriptor at
-/// distance d has been found in l of L tables with up to r flips, in the others with r - 1, with
+/// Finds the nearest neighbors of a query among millions of descriptors, by multi-probe
+/// locality-sensitive hashing (Lv et al., "Multi-probe LSH", VLDB 2007) over disjoint bits, like
+/// multi-index hashing (Norouzi et al., "Fast search in Hamming space with multi-index hashing",
+/// CVPR 2012), but over bits of low correlation. A search probes the query's bucket in every table,
+/// then the buckets whose key differs in one bit, then in two, up to max_flips. All bits count as
+/// equally likely to flip: once l of L tables have been probed with up to r flips, and the others
+/// with r - 1, a descriptor at distance d has been found with probability
 ///
 ///     1 - (1 - p_r(d))^l (1 - p_{r - 1}(d))^{L - l},   p_r(d) = ChanceOfFlips(d, ., r).
 ///
-/// With recall 1 and as many flips as bits it is exact. The same calls give the same answers.
-/// Searches may run at once; nothing else may meanwhile.
+/// If recall is 1 and max_flips is at least the number of bits in a key, the search is exact. The
+/// same sequence of calls gives the same results. Searches may run concurrently, but not during
+/// Add().
 class LshIndex {
  public:
-  /// Throws corvo::Error on options out of range.
+  /// Throws corvo::Error if the options are out of range.
   explicit LshIndex(const LshIndexOptions& options = {});
   explicit LshIndex(std::span<const Descriptor> descriptors, const LshIndexOptions& options = {});
 
-  /// Appends descriptors; the first is number size(). Those added last, at most 4096 or one in 32,
-  /// whichever is more, are in no table: they are compared with every query.
+  /// Appends descriptors; the first has index size(). The latest descriptors, at most 4096 or 1/32
+  /// of those in the tables, whichever is more, are in no table and are compared with every query.
   void Add(std::span<const Descriptor> descriptors);
 
-  /// The k nearest found, nearest first; between equal distances the lower index is nearer. There
-  /// may be fewer than min(k, size()). Throws corvo::Error unless k is 1 or more.
+  /// Returns the k nearest descriptors found, nearest first, ties by lower index. There may be
+  /// fewer than min(k, size()). Throws corvo::Error if k is less than 1.
   std::vector<Neighbor> FindNearest(const Descriptor& query, int k) const;
 
-  /// Writes a file that Load() reads back the same. Throws corvo::Error where it cannot.
+  /// Writes a file from which Load() restores an equal index. Throws corvo::Error if it cannot be
+  /// written.
   void Save(const std::filesystem::path& file) const;
 
-  /// Throws corvo::Error where the file cannot be read, is of another version, or is damaged.
+  /// Reads a file written by Save(). Throws corvo::Error if the file cannot be read, is of another
+  /// version, or is damaged.
   static LshIndex Load(const std::filesystem::path& file);
 
   int size() const { return static_cast<int>(descriptors_.size()); }
   const Descriptor& descriptor(int index) const { return descriptors_[index]; }
   const LshIndexOptions& options() const { return options_; }
-  /// Of one key, 0 where nothing is in a table.
+  /// Returns the number of bits in a key, or 0 if there are no tables.
   int bits_a_key() const { return tables_.empty() ? 0 : static_cast<int>(tables_[0].bits.size()); }
-  /// What descriptors and tables take.
+  /// Returns the memory that the descriptors and tables take, bytes.
   std::size_t memory_bytes() const;
 
  private:
-  /// A descriptor never straddles two cache lines.
+  /// Aligns the descriptors, so that none straddles two cache lines.
   template <typename T>
   struct CacheLineAllocator {
     using value_type = T;
@@ -98,7 +102,7 @@ class LshIndex {
     bool operator==(const CacheLineAllocator&) const = default;
   };
 
-  /// Descriptors by key: bucket b holds ids[starts[b]] to ids[starts[b + 1] - 1], ascending.
+  /// A hash table: bucket b holds ids[starts[b]] to ids[starts[b + 1] - 1], ascending.
   struct Table {
     KeyBits bits;
     std::vector<std::uint32_t> starts;
@@ -107,19 +111,20 @@ class LshIndex {
 
   class Search;
 
-  /// Puts all descriptors into tables with keys of these bits.
+  /// Builds one table for each element of `keys`, over the first `num_in_tables` descriptors.
   void MakeTables(const std::vector<KeyBits>& keys, int num_in_tables);
   void FillTable(Table& table) const;
-  /// Sets sure_distances_.
+  /// Computes sure_distances_.
   void PlanSearches();
-  /// A search may end after `tables` tables of round `flips` if its k-th nearest is no further.
+  /// Returns the distance of the k-th neighbor up to which a search may end after `tables` tables
+  /// have been probed with `flips` flips, -1 if there is none.
   int SureDistance(int flips, int tables) const;
 
   LshIndexOptions options_;
   std::vector<Descriptor, CacheLineAllocator<Descriptor>> descriptors_;
   int num_in_tables_ = 0;
   std::vector<Table> tables_;
-  std::vector<int> sure_distances_;  ///< By flips, then tables - 1.
+  std::vector<int> sure_distances_;  ///< Indexed by flips, then by tables - 1.
 };
 
 }  // namespace corvo::orb

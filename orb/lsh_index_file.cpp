@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of an index: a head, the descriptors, and a sum over the words before it. Numbers are
-// little-endian words of 64 bits. The tables are made anew from the head's key bits.
+// An index file consists of a head, the descriptors, and a checksum of the words before it. Numbers
+// are 64-bit little-endian words. The tables are rebuilt from the key bits in the head.
 
 constexpr std::string_view kMagic = "corvoLSH";
 constexpr std::uint64_t kVersion = 1;
@@ -27,7 +27,7 @@ constexpr std::size_t kMaxBits = 21;
 
 using Word = std::uint64_t;
 
-/// Numbers that a file begins with, in order.
+/// The head of a file.
 struct Head {
   Word magic = 0;
   Word version = kVersion;
@@ -36,13 +36,13 @@ struct Head {
   double recall = 0;
   Word num_descriptors = 0;
   Word num_in_tables = 0;
-  Word bits_a_key = 0;                                         ///< 0: there are no tables.
-  std::array<std::uint8_t, kMaxTables*(kMaxBits + 3)> bits{};  ///< By table; zeros at the end.
+  Word bits_a_key = 0;                                         ///< 0 if there are no tables.
+  std::array<std::uint8_t, kMaxTables*(kMaxBits + 3)> bits{};  ///< By table, then zeros.
 };
 static_assert(sizeof(Head) % sizeof(Word) == 0 && std::is_trivially_copyable_v<Head>);
 static_assert(std::endian::native == std::endian::little);
 
-/// Fowler, Noll and Vo's hash 1a over words: any change of one word changes it.
+/// The FNV-1a hash (Fowler, Noll and Vo) over words; any change to a single word changes it.
 class Sum {
  public:
   void Add(const void* data, std::size_t size) {
@@ -83,7 +83,7 @@ void CheckHead(const Head& head, const std::string& name) {
 
 void CheckSize(const fs::path& file, const Head& head, const std::string& name) {
   const Word expected = sizeof(Head) + head.num_descriptors * sizeof(Descriptor) + sizeof(Word);
-  std::error_code error;  // Of what has no size: it is then the greatest number.
+  std::error_code error;  // If set, the size is the largest integer.
   CheckRange<Word>(name + ": size in bytes", fs::file_size(file, error), expected, expected);
 }
 

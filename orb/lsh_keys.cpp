@@ -11,7 +11,7 @@ namespace {
 constexpr int kNumBits = 256;
 constexpr std::size_t kMaxSample = 16384;
 
-/// Each bit's values over a sample of descriptors, and what follows from them.
+/// The values of each bit over a sample of descriptors, and their statistics.
 class BitStatistics {
  public:
   explicit BitStatistics(std::span<const Descriptor> descriptors)
@@ -23,14 +23,14 @@ class BitStatistics {
     for (int bit = 0; bit < kNumBits; ++bit) ones_.push_back(CountBoth(bit, bit));
   }
 
-  /// (2 m - 1)^2.
+  /// Returns (2 m - 1)^2, where m is the mean of the bit.
   double Imbalance(int bit) const {
     if (size_ == 0) return 1;
     const double excess = 2 * ones_[bit] / static_cast<double>(size_) - 1;
     return excess * excess;
   }
 
-  /// Between 0 and 1; of a bit that never changes with any other 1.
+  /// Returns the squared correlation of two bits, 0 to 1; it is 1 if either is constant.
   double SquaredCorrelation(int a, int b) const {
     const auto n = static_cast<double>(size_);
     const double covariance = n * CountBoth(a, b) - ones_[a] * ones_[b];
@@ -46,7 +46,7 @@ class BitStatistics {
     }
   }
 
-  /// Descriptors with both bits set.
+  /// Returns the number of descriptors with both bits set.
   double CountBoth(int a, int b) const {
     int count = 0;
     for (std::size_t i = 0; i < words_; ++i) {
@@ -61,7 +61,7 @@ class BitStatistics {
   std::vector<double> ones_;
 };
 
-/// Bits that no key has taken, and for each key what they would cost it.
+/// The bits that are in no key, and the cost of adding each to each key.
 class FreeBits {
  public:
   FreeBits(const BitStatistics& statistics, int num_keys) : statistics_(statistics) {
@@ -70,7 +70,7 @@ class FreeBits {
     costs_.assign(num_keys, cost);
   }
 
-  /// Gives a key the bit that costs it least.
+  /// Adds the free bit of least cost to a key.
   int Take(int key) {
     std::vector<double>& cost = costs_[key];
     const int taken = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
@@ -113,7 +113,7 @@ std::vector<KeyBits> ChooseKeyBits(std::span<const Descriptor> descriptors, int 
 }
 
 double ChanceOfFlips(int distance, int bits_a_key, int max_flips) {
-  // Of the bits drawn so far one after the other, chance[f] that f differ.
+  // chance[f] is the probability that f of the bits drawn one after the other differ.
   std::vector<double> chance(bits_a_key + 1, 0.0);
   chance[0] = 1;
   for (int drawn = 0; drawn < bits_a_key; ++drawn) {

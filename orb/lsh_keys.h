@@ -9,26 +9,27 @@
 
 namespace corvo::orb {
 
-/// The bits of a descriptor that make its key in one hash table, 0 to 255: at most 31 different
-/// ones. Bit j of the key is bit bits[j].
+/// The bits of a descriptor, 0 to 255, that form its key in one hash table: at most 31, all
+/// different. Bit j of the key is bit bits[j] of the descriptor.
 using KeyBits = std::vector<std::uint8_t>;
 
-/// The key of a descriptor: 0 to 2^bits.size() - 1.
+/// Returns the key of a descriptor, 0 to 2^bits.size() - 1.
 std::uint32_t KeyOf(const Descriptor& descriptor, const KeyBits& bits);
 
-/// Chooses disjoint bits for the keys of `num_tables` tables, `bits_a_key` each; all of them
-/// together are at most 256. Learned tests depend on one another, and keys of bits that do would
-/// crowd few buckets. So the keys take turns to add, of the bits still free, the one with the least
+/// Chooses disjoint bits for the keys of `num_tables` tables, `bits_a_key` for each; in total at
+/// most 256. The bits of learned tests are correlated, and keys of correlated bits would crowd into
+/// few buckets. The keys therefore take turns to add the free bit with the least
 ///
 ///     (2 m - 1)^2 + sum of r^2,
 ///
-/// m its mean and r its correlations with the bits that the key has, over up to 16384 of the
-/// descriptors. Ties go to the lower bit.
+/// where m is its mean and r are its correlations with the bits already in the key, over up to
+/// 16384 of the descriptors. Ties go to the lower bit.
 std::vector<KeyBits> ChooseKeyBits(std::span<const Descriptor> descriptors, int num_tables,
                                    int bits_a_key);
 
-/// The chance that, of a key's bits, at most `max_flips` are among the `distance` (0 to 256) that
-/// differ between two descriptors, any as likely as any other: hypergeometric.
+/// Returns the probability that at most `max_flips` bits of a key differ between two descriptors of
+/// Hamming distance `distance` (0 to 256), if all bits are equally likely to differ: the
+/// hypergeometric distribution.
 double ChanceOfFlips(int distance, int bits_a_key, int max_flips);
 
 }  // namespace corvo::orb

@@ -26,14 +26,15 @@ void CheckIndex(const char* what, int index, std::size_t size) {
               std::to_string(size));
 }
 
-/// Bin of the change of angle; the first bin is centered on 0.
+/// Returns the bin of the change of angle; the first bin is centered on 0.
 int RotationBin(float query_deg, float train_deg, int bins) {
   const double change = static_cast<double>(train_deg) - query_deg;
   const double turns = (change < 0 ? change + 360.0 : change) / 360.0;
   return RoundHalfUp(turns * bins) % bins;
 }
 
-/// Which of the bins are among the three fullest and hold a tenth of the fullest.
+/// Returns, for each bin, whether it is among the three fullest and holds at least a tenth of the
+/// fullest.
 std::vector<bool> DominantBins(const std::vector<int>& counts) {
   std::vector<int> order(counts.size());
   std::iota(order.begin(), order.end(), 0);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// corvo's features as a cv::Feature2D, and conversions from and to OpenCV's types. Header-only, so
-// that corvo::orb itself needs nothing of OpenCV's features2d; the CMake target is corvo::opencv.
+// This header provides corvo's features as a cv::Feature2D, and conversions from and to OpenCV's
+// types. It is header-only, so that corvo::orb does not depend on OpenCV's features2d; the CMake
+// target is corvo::opencv.
 
 #include <cstring>
 #include <span>
@@ -18,11 +19,12 @@
 
 namespace corvo::orb {
 
-/// Side of the patch a keypoint is described from, px of its level; as cv::ORB's.
+/// The side of the patch that a descriptor covers, px of its level; equal to cv::ORB's.
 inline constexpr int kPatchSize = 31;
 
-/// `octave_scales` are the extractor's: a keypoint's size is kPatchSize times its octave's. Angles
-/// and coordinates mean the same in both. Throws corvo::Error on an octave that has no scale.
+/// Converts keypoints to OpenCV's type. `octave_scales` are the extractor's: a keypoint's size is
+/// kPatchSize times the scale of its octave. Angles and coordinates have the same meaning in both
+/// types. Throws corvo::Error if an octave has no scale.
 inline std::vector<cv::KeyPoint> ToKeyPoints(std::span<const Keypoint> keypoints,
                                              std::span<const double> octave_scales) {
   std::vector<cv::KeyPoint> converted;
@@ -36,7 +38,7 @@ inline std::vector<cv::KeyPoint> ToKeyPoints(std::span<const Keypoint> keypoints
   return converted;
 }
 
-/// Sizes and class ids have no counterpart and are dropped.
+/// Converts keypoints from OpenCV's type, without their sizes and class ids.
 inline std::vector<Keypoint> FromKeyPoints(std::span<const cv::KeyPoint> keypoints) {
   std::vector<Keypoint> converted;
   converted.reserve(keypoints.size());
@@ -47,8 +49,8 @@ inline std::vector<Keypoint> FromKeyPoints(std::span<const cv::KeyPoint> keypoin
   return converted;
 }
 
-/// One row of 32 bytes (CV_8UC1) for each descriptor, as OpenCV's matchers take them; an empty
-/// matrix for none.
+/// Returns one row of 32 bytes (CV_8UC1) for each descriptor, the format of OpenCV's matchers, or
+/// an empty matrix if there are none.
 inline cv::Mat ToDescriptorMat(std::span<const Descriptor> descriptors) {
   if (descriptors.empty()) return {};
   cv::Mat rows(static_cast<int>(descriptors.size()), sizeof(Descriptor::bytes), CV_8UC1);
@@ -58,7 +60,8 @@ inline cv::Mat ToDescriptorMat(std::span<const Descriptor> descriptors) {
   return rows;
 }
 
-/// The inverse of ToDescriptorMat. Throws corvo::Error unless the matrix is empty or of that form.
+/// Converts a matrix of the form that ToDescriptorMat() returns back to descriptors. Throws
+/// corvo::Error if the matrix is neither empty nor of that form.
 inline std::vector<Descriptor> FromDescriptorMat(const cv::Mat& rows) {
   if (rows.empty()) return {};
   if (rows.type() != CV_8UC1 || rows.cols != static_cast<int>(sizeof(Descriptor::bytes))) {
@@ -72,11 +75,11 @@ inline std::vector<Descriptor> FromDescriptorMat(const cv::Mat& rows) {
   return descriptors;
 }
 
-/// Extractor behind OpenCV's interface, which says what the functions do; made by
-/// CreateFeature2D(). Images are 8-bit: gray, BGR or BGRA. As with cv::ORB, given keypoints that
-/// cannot be described (Extractor::Describe says which) are removed, and a mask applies to
-/// detection only. An empty image has no features. Bad input throws cv::Exception, as OpenCV's
-/// own features do. One object may be used by several threads at once.
+/// Adapts Extractor to OpenCV's interface, which documents the functions; create it with
+/// CreateFeature2D(). Images are 8-bit: gray, BGR or BGRA. Like cv::ORB, it removes given keypoints
+/// that cannot be described (see Extractor::Describe()) and applies a mask to detection only. An
+/// empty image has no features. Throws cv::Exception on bad input, like OpenCV's own features. One
+/// object may be used by several threads at once.
 class Feature2DAdaptor final : public cv::Feature2D {
  public:
   Feature2DAdaptor(const ExtractorOptions& options, int threads) : extractor_(options, threads) {}
@@ -124,7 +127,8 @@ class Feature2DAdaptor final : public cv::Feature2D {
     return features;
   }
 
-  /// Keeps what it can describe of `keypoints`, in their order.
+  /// Removes the keypoints that cannot be described from `keypoints` and returns the features of
+  /// the others, in order.
   Features Describe(const cv::Mat& gray, std::vector<cv::KeyPoint>& keypoints) const {
     DescribedKeypoints described;
     if (!gray.empty()) described = extractor_.Describe(gray, FromKeyPoints(keypoints));
@@ -140,14 +144,15 @@ class Feature2DAdaptor final : public cv::Feature2D {
   Extractor extractor_;
 };
 
-/// corvo's features for any program that takes a cv::Feature2D. `threads` levels are worked on at
-/// once; it never changes the features. Throws corvo::Error on options out of range.
+/// Creates a cv::Feature2D that extracts corvo's features, processing up to `threads` levels in
+/// parallel; the features do not depend on `threads`. Throws corvo::Error if the options are out of
+/// range.
 inline cv::Ptr<cv::Feature2D> CreateFeature2D(const ExtractorOptions& options, int threads = 1) {
   return cv::makePtr<Feature2DAdaptor>(options, threads);
 }
 
-/// As cv::ORB::create(num_features), with corvo's defaults: keypoints spread over a grid. 0 stands
-/// for 1000, or 2000 for images at least 1000 px wide.
+/// Like cv::ORB::create(num_features), but with corvo's defaults: keypoints are spread over a grid.
+/// 0 stands for 1000, or 2000 for images at least 1000 px wide.
 inline cv::Ptr<cv::Feature2D> CreateFeature2D(int num_features = 0) {
   ExtractorOptions options;
   options.num_features = num_features;

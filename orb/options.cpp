@@ -9,7 +9,7 @@
 namespace corvo::orb {
 namespace {
 
-/// Throws on a number out of its range; what has no range passes.
+/// Throws corvo::Error if a number is out of its range; accepts fields without a range.
 struct CheckField {
   template <typename T>
   void operator()(std::string_view name, const T& value, T min, T max, std::string_view) const {

@@ -7,17 +7,17 @@
 
 namespace corvo::orb {
 
-/// What ranks corners inside a grid cell.
+/// The score that ranks corners inside a grid cell.
 enum class Ranking { kFast, kHarris };
 
-/// "fast" or "harris".
+/// Returns "fast" or "harris".
 std::string_view ToString(Ranking ranking);
 
-/// The ranking of that name. Throws corvo::Error on any other.
+/// Returns the ranking with this name. Throws corvo::Error if there is none.
 Ranking ParseRanking(std::string_view name);
 
-/// Options of Extractor. `Visit` names every field once, with its range and meaning: validation,
-/// the configuration reader and the generated `configs/default.yaml` all come from it.
+/// The options of Extractor. `Visit` calls the visitor for every field, with its range and meaning;
+/// validation, the configuration reader and the generated `configs/default.yaml` all use it.
 struct ExtractorOptions {
   int num_features = 0;
   int num_levels = 8;
@@ -31,12 +31,13 @@ struct ExtractorOptions {
   bool upright = false;
   std::string pattern = "learned";
 
-  /// Throws corvo::Error naming the first field out of range, min_fast_threshold where it exceeds
-  /// fast_threshold, or pattern where LoadPattern() throws.
+  /// Throws corvo::Error with the name of the first field that is out of range, of
+  /// min_fast_threshold if it exceeds fast_threshold, or of pattern if LoadPattern() throws.
   void Validate() const;
 
-  /// Calls `field(name, value, min, max, meaning)` for numbers, `field(name, value, meaning)` for
-  /// booleans, enumerations and texts, in order. `Self` is `ExtractorOptions` or its const.
+  /// Calls `field(name, value, min, max, meaning)` for numbers and `field(name, value, meaning)`
+  /// for booleans, enumerations and strings, in order. `Self` is `ExtractorOptions` or `const
+  /// ExtractorOptions`.
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("num_features", self.num_features, 0, 100000,

@@ -6,12 +6,12 @@
 
 namespace corvo::orb {
 
-/// The pixels around a keypoint, of the pyramid level it was found in.
+/// The pixels around a keypoint, in the pyramid level in which it was detected.
 struct Patch {
   static constexpr int kRadius = 8;
   static constexpr int kSide = 2 * kRadius + 1;
 
-  std::array<std::uint8_t, kSide * kSide> pixels{};  ///< Row by row; the keypoint in the middle.
+  std::array<std::uint8_t, kSide * kSide> pixels{};  ///< Row by row; the keypoint is in the center.
 
   bool operator==(const Patch&) const = default;
 };

@@ -12,10 +12,10 @@ namespace {
 using kernels::kFitPixels;
 using kernels::kFitSide;
 
-constexpr int kWindowRadius = kFitSide / 2;  // The window's pixels: -4 to 3 from the middle.
-constexpr int kTemplateSide = kFitSide + 2;  // With a rim, for derivatives.
+constexpr int kWindowRadius = kFitSide / 2;  // The window spans -4 to 3 from the center.
+constexpr int kTemplateSide = kFitSide + 2;  // Includes a rim of one pixel for derivatives.
 
-/// Gray value between pixels; (x, y) from the middle, inside the patch.
+/// Returns the bilinear gray value at (x, y) from the center, inside the patch.
 float Interpolate(const Patch& patch, float x, float y) {
   const float column = x + Patch::kRadius, row = y + Patch::kRadius;
   const int left = static_cast<int>(column), top = static_cast<int>(row);
@@ -27,7 +27,8 @@ float Interpolate(const Patch& patch, float x, float y) {
   return upper + lower_share * (lower - upper);
 }
 
-/// Whether a square of `half_side` around (x, y), or its image under a warp, lies inside a patch.
+/// Returns whether the image under `warp` of the square of half-side `half_side` around the center
+/// lies inside a patch.
 bool Reaches(const PatchWarp& warp, float half_side) {
   constexpr float kEnd = Patch::kRadius - 0.01F;
   return half_side * (std::abs(warp.a) + std::abs(warp.b)) < kEnd &&
@@ -46,14 +47,14 @@ float Dot(const float* a, const float* b) {
   return sum;
 }
 
-/// What is looked for: gray values and derivatives, each with mean 0, and their products.
+/// The template: gray values and derivatives, each with mean 0, and their products.
 struct Template {
   kernels::FitTemplate window;
   float xx = 0, xy = 0, yy = 0;
   float gray_x = 0, gray_y = 0, gray_gray = 0;
 };
 
-/// The reference through the warp, with a rim of one pixel.
+/// Returns the warped reference, with a rim of one pixel.
 std::array<float, kTemplateSide * kTemplateSide> WarpReference(const Patch& reference,
                                                                const PatchWarp& warp) {
   std::array<float, kTemplateSide * kTemplateSide> warped;
@@ -86,7 +87,7 @@ Template MakeTemplate(const Patch& reference, const PatchWarp& warp) {
   return result;
 }
 
-/// The target's window around (x, y) from its middle.
+/// Returns the place in the target of the window centered at (x, y) from its center.
 kernels::WindowPlace PlaceAt(const Patch& target, float x, float y) {
   const float column = x + (Patch::kRadius - kWindowRadius);
   const float row = y + (Patch::kRadius - kWindowRadius);
@@ -108,7 +109,7 @@ std::optional<PatchAlignment> AlignPatch(const Patch& reference, const Patch& ta
   constexpr float kMaxShift = 3;
   constexpr float kAtRest = 0.02F;
   constexpr float kMinGain = 0.1F;
-  constexpr float kMinTexture = kFitPixels;  // In the weaker direction: one gray level a pixel.
+  constexpr float kMinTexture = kFitPixels;  // One gray level per pixel in the weaker direction.
   if (!Reaches(reference_from_target, kWindowRadius + 1)) return std::nullopt;
   const Template wanted = MakeTemplate(reference, reference_from_target);
   const float determinant = wanted.xx * wanted.yy - wanted.xy * wanted.xy;

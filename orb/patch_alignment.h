@@ -7,25 +7,27 @@
 
 namespace corvo::orb {
 
-/// Where a step in one patch leads in another: (a x + b y, c x + d y).
+/// The linear map of an offset (x, y) in one patch to an offset in another: (a x + b y, c x + d y).
 struct PatchWarp {
   float a = 1, b = 0, c = 0, d = 1;
 };
 
-/// A place in a patch, px from its middle, and how well it fits.
+/// A position in a patch, px from its center, and the quality of the fit.
 struct PatchAlignment {
   float x = 0;
   float y = 0;
-  float correlation = 0;  ///< Of the two patches there, -1 to 1.
+  float correlation = 0;  ///< Correlation coefficient of the two windows, -1 to 1.
 };
 
-/// Where in `target` the middle of `reference` lies: the shift of an 8x8 window that minimizes
+/// Finds the position in `target` of the center of `reference`: the shift of an 8x8 window that
+/// minimizes
 ///
 ///     sum over u of (I(u + shift) - g T(u) - b)²,   T(u) = reference(reference_from_target * u),
 ///
-/// whatever gain g and offset b the light makes, by inverse compositional Gauss-Newton (Baker and
-/// Matthews, "Lucas-Kanade 20 years on", 2004). None where the window has no texture in some
-/// direction, leaves a patch, or does not come to rest.
+/// over the shift, a gain g and an offset b of the illumination, by inverse compositional
+/// Gauss-Newton (Baker and Matthews, "Lucas-Kanade 20 years on", 2004). Returns std::nullopt if the
+/// window has too little texture in some direction, the window leaves a patch, the gain is too low,
+/// or the iteration does not converge.
 std::optional<PatchAlignment> AlignPatch(const Patch& reference, const Patch& target,
                                          const PatchWarp& reference_from_target);
 

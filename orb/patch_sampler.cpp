@@ -10,7 +10,7 @@
 namespace corvo::orb {
 namespace {
 
-/// `sums` is a level's; offsets are from (x, y).
+/// Reads the window sums of a level at offsets from (x, y).
 PositionSums Read(const cv::Mat& sums, int x, int y, std::span<const Offset> offsets) {
   PositionSums read;
   std::transform(offsets.begin(), offsets.end(), read.begin(), [&](const Offset& offset) {

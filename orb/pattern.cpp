@@ -9,7 +9,8 @@
 namespace corvo::orb {
 namespace {
 
-/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// The generator of Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA
+/// 2014.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
@@ -26,13 +27,13 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// A rounded sample of a Gaussian of standard deviation 6.2: twelve uniform integers of n values
-/// each have a sum of variance n^2 - 1, here in sixteenths of a pixel.
+/// Returns a rounded sample of a Gaussian of standard deviation 6.2. The sum of twelve uniform
+/// integers, each of n values, has variance n^2 - 1; here it is in sixteenths of a pixel.
 int SampleGaussian(SplitMix64& random) {
   constexpr int kDraws = 12;
   constexpr int kValues = 99;
   constexpr int kMean = kDraws * (kValues - 1) / 2;
-  constexpr int kBias = 1024;  // a multiple of 16 that keeps the dividend positive
+  constexpr int kBias = 1024;  // A multiple of 16 that keeps the dividend positive.
   int sum = 0;
   for (int i = 0; i < kDraws; ++i) sum += static_cast<int>(random.Next() % kValues);
   return (sum - kMean + 8 + kBias) / 16 - kBias / 16;
@@ -60,7 +61,7 @@ Pattern Rotate(const Pattern& pattern, const Direction& direction) {
   return rotated;
 }
 
-/// The Taylor series of cosine and sine, for angles of up to a quarter turn.
+/// Returns cosine and sine by their Taylor series, for angles of up to a quarter turn.
 Direction DirectionInQuadrant(double radians) {
   const double square = radians * radians;
   Direction direction{0.0, 0.0};

@@ -7,9 +7,9 @@
 
 namespace corvo::orb {
 
-inline constexpr int kNumTests = 256;    ///< Bits of a descriptor.
+inline constexpr int kNumTests = 256;    ///< Number of tests, the bits of a descriptor.
 inline constexpr int kWindowRadius = 2;  ///< A test compares sums over 5x5 windows.
-inline constexpr int kMaxOffset = 13;    ///< Of a window's center: windows fill the 31x31 patch.
+inline constexpr int kMaxOffset = 13;    ///< Limit of a window center: windows fill a 31x31 patch.
 
 /// A pixel relative to the keypoint, px of its level.
 struct Offset {
@@ -19,7 +19,7 @@ struct Offset {
   bool operator==(const Offset&) const = default;
 };
 
-/// One bit of a descriptor: is the window at p darker than the window at q?
+/// A test that gives one bit of a descriptor: 1 iff the window at p is darker than the window at q.
 struct BinaryTest {
   Offset p;
   Offset q;
@@ -29,41 +29,44 @@ struct BinaryTest {
 
 using Pattern = std::array<BinaryTest, kNumTests>;
 
-/// At least sqrt(2) px apart, so that the ends stay apart under rotation and rounding.
+/// Returns whether the ends are at least sqrt(2) px apart, so that they remain distinct under
+/// rotation and rounding.
 bool EndsApart(const BinaryTest& test);
 
-/// The same test, or the same with its ends swapped: its bit tells nothing new.
+/// Returns whether the tests are the same up to swapped ends, so that one bit determines the other.
 bool AreEquivalent(const BinaryTest& a, const BinaryTest& b);
 
-/// The tests of BRIEF (Calonder et al., ECCV 2010, sampling G II): both ends drawn independently
-/// from an isotropic Gaussian of standard deviation 31/5 px, redrawn until within kMaxOffset. No
-/// two tests are equivalent, and their ends are apart. The same bits with every compiler.
+/// Makes the tests of BRIEF (Calonder et al., ECCV 2010, sampling G II): both ends are drawn
+/// independently from an isotropic Gaussian of standard deviation 31/5 px, and redrawn until within
+/// kMaxOffset. No two tests are equivalent, and the ends of each are apart. The result is the same
+/// with every compiler.
 Pattern MakeBriefPattern(std::uint64_t seed = 0);
 
-/// Cosine and sine of `bin` / `bins` of a full turn, within 1e-15 and free of libm; directions a
-/// quarter turn apart have exactly equal magnitudes.
+/// The cosine and sine of `bin` / `bins` of a full turn, within 1e-15 and computed without libm;
+/// directions a quarter turn apart have exactly equal magnitudes.
 struct Direction {
   double cosine = 1;
   double sine = 0;
 };
 Direction DirectionOf(int bin, int bins);
 
-/// Of `bins` equally spaced directions the one nearest to `angle_deg`, which is in [0, 360);
-/// halfway goes up.
+/// Returns the index of the direction nearest to `angle_deg`, which is in [0, 360), among `bins`
+/// equally spaced directions; halfway rounds up.
 int NearestBin(float angle_deg, int bins);
 
-/// Rotates from x towards y, and rounds to pixels, halfway away from 0.
+/// Rotates an offset from x towards y and rounds it to pixels, halfway away from 0.
 Offset Rotate(const Offset& offset, const Direction& direction);
 
-/// A pattern rotated, from x towards y, to each of equally spaced directions, rounded to pixels.
+/// A pattern rotated, from x towards y, to each of several equally spaced directions, with offsets
+/// rounded to pixels.
 class RotatedPatterns {
  public:
-  /// `bins` is 1 to 256; bin b stands for b / bins of a full turn.
+  /// Rotates `pattern` to `bins` directions, 1 to 256; bin b is b / bins of a full turn.
   RotatedPatterns(const Pattern& pattern, int bins);
 
-  /// The pattern of the direction nearest to `angle_deg`, which is in [0, 360).
+  /// Returns the pattern of the direction nearest to `angle_deg`, which is in [0, 360).
   const Pattern& Nearest(float angle_deg) const { return patterns_[NearestBin(angle_deg)]; }
-  /// Index of that direction.
+  /// Returns the index of the direction nearest to `angle_deg`.
   int NearestBin(float angle_deg) const { return orb::NearestBin(angle_deg, bins()); }
   int bins() const { return static_cast<int>(patterns_.size()); }
   const Pattern& operator[](int bin) const { return patterns_[bin]; }

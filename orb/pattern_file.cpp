@@ -26,7 +26,8 @@ void SkipBlanks(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
 }
 
-/// Takes "<whole number>," and the blanks around its parts off the text; none if that is not there.
+/// Removes "<integer>," and the blanks around its parts from the front of `text` and returns the
+/// number, or std::nullopt if it does not start with one.
 std::optional<int> TakeNumber(std::string_view& text) {
   SkipBlanks(text);
   int value = 0;
@@ -40,7 +41,7 @@ std::optional<int> TakeNumber(std::string_view& text) {
   return value;
 }
 
-/// `where` starts the message of an error.
+/// Parses the test in a line. `where` is the prefix of the error messages.
 BinaryTest ParseTest(std::string_view line, const std::string& where) {
   std::int8_t coordinates[4];
   std::string_view rest = line;

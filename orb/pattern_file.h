@@ -9,18 +9,20 @@
 namespace corvo::orb {
 
 // A pattern file has a line "px, py, qx, qy," for each test, in order, each coordinate -kMaxOffset
-// to kMaxOffset; blank lines and lines that begin with // mean nothing. So it is also the
-// initialiser of an array in C++.
+// to kMaxOffset; blank lines and lines that begin with // are ignored. The file is therefore also a
+// valid array initializer in C++.
 
-/// Throws corvo::Error naming file, line and value where the file cannot be read, a line is no
-/// test, a test's ends are not apart, two tests are equivalent, or there are not exactly kNumTests.
+/// Reads a pattern file. Throws corvo::Error with file, line and value if the file cannot be read,
+/// a line is not a test, a test's ends are not apart, two tests are equivalent, or there are not
+/// exactly kNumTests tests.
 Pattern ReadPattern(const std::filesystem::path& file);
 
-/// The text of a file that ReadPattern() reads back the same.
+/// Returns the text of a file that ReadPattern() reads back as an equal pattern.
 std::string PatternText(const Pattern& pattern);
 
-/// The pattern of that name, "learned" (LearnedPattern) or "brief" (MakeBriefPattern), or else that
-/// of the file. Throws corvo::Error as ReadPattern().
+/// Returns the pattern named "learned" (LearnedPattern()) or "brief" (MakeBriefPattern()), or the
+/// pattern in the file with any other name. Throws corvo::Error under the conditions of
+/// ReadPattern().
 Pattern LoadPattern(const std::string& name_or_file);
 
 }  // namespace corvo::orb

@@ -16,17 +16,18 @@
 namespace corvo::orb {
 namespace {
 
-constexpr int kFirstPercent = 20;  // Of the threshold of correlation.
+constexpr int kFirstPercent = 20;  // Initial threshold of the correlation.
 constexpr int kPercentStep = 5;
 
 int NumWords(int num_bits) { return (num_bits + 63) / 64; }
 
-/// A test by the positions of its windows, and how its bit behaves on the training set.
+/// A test, given by the positions of its windows, and the statistics of its bit on the training
+/// set.
 struct Candidate {
   int p = 0;
   int q = 0;
-  int num_ones = 0;   ///< Among the first views.
-  int num_flips = 0;  ///< Keypoints whose views disagree.
+  int num_ones = 0;   ///< Ones among the first views.
+  int num_flips = 0;  ///< Keypoints whose two views have different bits.
 };
 
 bool WindowsOverlap(const Offset& p, const Offset& q) {
@@ -72,7 +73,7 @@ void CountBits(const TrainingSet& training, Workers& workers, std::vector<Candid
   });
 }
 
-/// d' of a candidate, as LearnPattern() has it.
+/// Returns the merit d' of a candidate (see LearnPattern()).
 double Merit(const Candidate& candidate, int size) {
   const double mean = static_cast<double>(candidate.num_ones) / size;
   const double flipping = static_cast<double>(candidate.num_flips) / size;
@@ -81,7 +82,7 @@ double Merit(const Candidate& candidate, int size) {
          std::sqrt(differing * (1 - differing) + flipping * (1 - flipping));
 }
 
-/// The candidates whose bit varies, best first; ties keep their order.
+/// Returns the candidates whose bit varies, best first; ties keep their order.
 std::vector<Candidate> RankCandidates(const std::vector<Candidate>& candidates, int size) {
   std::vector<std::pair<double, Candidate>> ranked;
   for (const Candidate& candidate : candidates) {
@@ -102,7 +103,7 @@ struct Column {
   std::vector<std::uint64_t> words;
 };
 
-/// Magnitude of the correlation between two columns of `size` bits; both vary.
+/// Returns the magnitude of the correlation between two columns of `size` bits; both vary.
 double Correlation(const Column& a, const Column& b, int size) {
   const std::int64_t ones_a = a.candidate.num_ones;
   const std::int64_t ones_b = b.candidate.num_ones;
@@ -121,8 +122,9 @@ class Selection {
   Selection(const TrainingSet& training, double max_correlation)
       : training_(training), max_correlation_(max_correlation) {}
 
-  /// Takes what fits of candidates, in order, until there are kNumTests. Columns are made and
-  /// compared with those chosen before by the workers, with one another in order.
+  /// Adds the candidates that fit, in order, until there are kNumTests. The workers make the
+  /// columns and compare them with the tests chosen in earlier calls; the columns are then compared
+  /// with one another in order.
   void Take(std::span<const Candidate> candidates, Workers& workers) {
     const std::size_t num_before = chosen_.size();
     std::vector<Column> columns(candidates.size());
@@ -147,7 +149,7 @@ class Selection {
     return column;
   }
 
-  /// Whether it correlates little with those chosen from index `begin` on.
+  /// Returns whether a column correlates little with the chosen tests from index `begin` on.
   bool Fits(const Column& column, std::size_t begin) const {
     return std::all_of(chosen_.begin() + static_cast<std::ptrdiff_t>(begin), chosen_.end(),
                        [&](const Column& other) {

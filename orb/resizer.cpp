@@ -10,7 +10,7 @@ constexpr int kUnit = 1 << kernels::kWeightBits;
 
 }  // namespace
 
-/// Tap of target pixel `i`: the source position ((2i + 1) source - target) / (2 target).
+/// Returns the tap of target pixel `i`, at source position ((2i + 1) source - target) / (2 target).
 Resizer::Tap Resizer::TapAt(int i, int source, int target) {
   const std::int64_t denominator = 2 * std::int64_t{target};
   const std::int64_t numerator = std::clamp((2 * std::int64_t{i} + 1) * source - target,
@@ -21,7 +21,8 @@ Resizer::Tap Resizer::TapAt(int i, int source, int target) {
   return {index, std::min(index + 1, source - 1), weight};
 }
 
-/// The second half mirrors the first, so that rounded weights have no preferred direction.
+/// Returns the taps along one axis. The second half mirrors the first, so that rounding has no
+/// preferred direction.
 std::vector<Resizer::Tap> Resizer::MakeTaps(int source, int target) {
   std::vector<Tap> taps(target);
   for (int i = 0; i < target; ++i) {

@@ -11,9 +11,10 @@
 
 namespace corvo::orb {
 
-/// Bilinear interpolation of 8-bit images of one size at the pixel centers of another, with weights
-/// of 1/128 px and one exact rounding at the end. It commutes with mirroring and with rotation by
-/// 90 degrees, bit for bit. Meant for shrinking by up to 2: beyond that it skips pixels.
+/// Resizes 8-bit images of one size by bilinear interpolation at the pixel centers of another size,
+/// with weights in units of 1/128 and a single exact rounding at the end. Resizing commutes with
+/// mirroring and with rotation by 90 degrees, bit for bit. It is meant for shrinking by a factor of
+/// up to 2; beyond that it skips pixels.
 class Resizer {
  public:
   Resizer() = default;
@@ -22,19 +23,20 @@ class Resizer {
   cv::Size from() const { return from_; }
   cv::Size to() const { return to_; }
 
-  /// The two rows of `image` last interpolated across, to be used again for the next row.
+  /// The two rows of `image` last interpolated horizontally, kept for reuse by the next row.
   struct RowCache {
     std::array<std::vector<std::int16_t>, 2> rows;
     std::array<int, 2> held;
   };
 
-  /// Sets rows [begin, end) of `resized`, which has the right size and type. Any partition of the
-  /// rows gives the same image.
+  /// Computes rows [begin, end) of `resized`, which must have the right size and type. Any
+  /// partition of the rows gives the same image.
   void ResizeRows(const cv::Mat& image, int begin, int end, RowCache& cache,
                   cv::Mat& resized) const;
 
  private:
-  /// Value = ((1 - weight / 128) * source[index] + weight / 128 * source[next]); weight < 128.
+  /// A target value is ((1 - weight / 128) * source[index] + weight / 128 * source[next]); weight <
+  /// 128.
   struct Tap {
     int index = 0;
     int next = 0;
@@ -44,7 +46,7 @@ class Resizer {
   static std::vector<Tap> MakeTaps(int source, int target);
   static Tap TapAt(int i, int source, int target);
 
-  /// What kernels::TapGroups points at.
+  /// The data that kernels::TapGroups points to.
   struct ColumnTaps {
     std::vector<std::uint8_t> first;
     std::vector<std::uint8_t> second;
@@ -62,7 +64,7 @@ class Resizer {
   ColumnTaps column_taps_;
 };
 
-/// `image` resized whole.
+/// Returns `image` resized to `size`.
 cv::Mat Resize(const cv::Mat& image, cv::Size size);
 
 }  // namespace corvo::orb

@@ -3,7 +3,7 @@
 
 namespace corvo::orb {
 
-/// Nearest integer of a value that is not negative; halfway goes up. Free of libm.
+/// Returns the nearest integer of a nonnegative value; halfway rounds up. Does not use libm.
 inline int RoundHalfUp(double value) {
   const double raised = value + 0.5;
   return static_cast<int>(raised);

@@ -13,19 +13,19 @@ struct Keypoint {
   float y = 0;          ///< Row in the input image (level 0), px.
   float angle_deg = 0;  ///< Direction of the intensity centroid, [0, 360), from x towards y.
   float response = 0;   ///< FAST score or Harris response, as ranked; comparable within one image.
-  int octave = 0;       ///< Pyramid level of the detection, 0 the finest.
+  int octave = 0;       ///< Pyramid level of the detection; 0 is the finest.
 
   bool operator==(const Keypoint&) const = default;
 };
 
-/// 256 binary tests. Test i is bit i % 8 of byte i / 8.
+/// The outcomes of 256 binary tests. Test i is bit i % 8 of byte i / 8.
 struct alignas(8) Descriptor {
   std::array<std::uint8_t, 32> bytes{};
 
   bool operator==(const Descriptor&) const = default;
 };
 
-/// Keypoints and their descriptors, index by index.
+/// Keypoints and their descriptors, with equal indices.
 struct Features {
   std::vector<Keypoint> keypoints;
   std::vector<Descriptor> descriptors;

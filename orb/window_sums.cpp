@@ -8,7 +8,7 @@
 namespace corvo::orb {
 namespace {
 
-constexpr int kMargin = 2;  ///< Rows at the edge, which have no windows.
+constexpr int kMargin = 2;  ///< Pixels at the edges without a complete window.
 
 void SumRow(const cv::Mat& image, int y, std::vector<std::uint16_t>& columns, std::uint16_t* sums) {
   kernels::SumWindowRow(image.ptr(y), static_cast<std::ptrdiff_t>(image.step), image.cols,

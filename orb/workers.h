@@ -10,16 +10,16 @@
 
 namespace corvo::orb {
 
-/// Threads that share a number of tasks; one alone works on the caller's.
+/// A set of threads that share a number of tasks; a single thread is the caller's.
 class Workers {
  public:
-  /// No more than there are processors.
+  /// Uses at most `threads` threads, and no more than there are processors.
   explicit Workers(int threads)
       : count_(std::min(threads, tbb::info::default_concurrency())), arena_(count_) {}
 
   int count() const { return count_; }
 
-  /// Calls `work(i)` for every i in [0, num_tasks); tasks are begun in this order.
+  /// Calls `work(i)` for every i in [0, num_tasks); tasks start in this order.
   template <typename Work>
   void ForEach(int num_tasks, const Work& work) {
     if (count_ == 1 || num_tasks == 1) {
