@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the camera of images without a calibration target: calibrate_camera CAMERA.yaml IMAGE...
+// Estimates the camera of images without a calibration target:
+// calibrate_camera CAMERA.yaml IMAGE...
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -16,7 +17,7 @@
 
 namespace {
 
-/// Image files in order, at 30 Hz.
+/// A stream of image files in the given order, at 30 Hz.
 class ImageFiles final : public corvo::ImageStream {
  public:
   explicit ImageFiles(std::vector<std::string> files) : files_(std::move(files)) {}

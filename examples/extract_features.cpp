@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints the ORB features of an image, one a line: extract_features IMAGE
+// Prints the ORB features of an image, one per line: extract_features IMAGE
 #include <cstdlib>
 #include <iostream>
 

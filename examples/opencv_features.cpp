@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Matches two images with OpenCV, with corvo's features in place of cv::ORB's:
+// Matches two images with OpenCV, using corvo's features in place of cv::ORB's:
 // opencv_features IMAGE IMAGE
 #include <cstdlib>
 #include <iostream>
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   const cv::Ptr<cv::Feature2D> orb =
-      corvo::orb::CreateFeature2D(1000);  // was cv::ORB::create(1000)
+      corvo::orb::CreateFeature2D(1000);  // Replaces cv::ORB::create(1000).
   std::vector<cv::KeyPoint> keypoints[2];
   cv::Mat descriptors[2];
   for (int i = 0; i < 2; ++i) {

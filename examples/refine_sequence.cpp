@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   }
   try {
     Run(argc, argv);
-  } catch (const std::exception& error) {  // corvo::Error names what is wrong.
+  } catch (const std::exception& error) {  // corvo::Error names the cause.
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }

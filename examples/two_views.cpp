@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Estimates the motion between two images from the single stages: two_views IMAGE IMAGE
+// Estimates the motion between two images with the individual stages: two_views IMAGE IMAGE
 #include <cstdlib>
 #include <iostream>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Mutual nearest neighbors that pass the ratio test.
+/// Returns the mutual nearest neighbors that pass the ratio test and the distance test.
 std::vector<corvo::orb::Match> MatchFeatures(const corvo::orb::Features& first,
                                              const corvo::orb::Features& second) {
   const auto forward = corvo::orb::FindNearest(first.descriptors, second.descriptors);

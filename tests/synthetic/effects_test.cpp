@@ -15,7 +15,7 @@ namespace {
 
 using test::ThrowsError;
 
-/// 128 x 96 px at 30 Hz.
+/// Makes a sequence of a planar wall, 128 x 96 px at 30 Hz.
 Sequence SmallWall(int frames, const Effects& effects) {
   SequenceOptions options;
   options.frames = frames;
@@ -33,7 +33,7 @@ double MeanGradient(const cv::Mat& image) {
 
 cv::Mat Gray(int value) { return cv::Mat(95, 127, CV_8UC1, cv::Scalar(value)); }
 
-TEST(TimeSpanTest, HoldsItsStartButNotItsEnd) {
+TEST(TimeSpanTest, IncludesItsStartButNotItsEnd) {
   const TimeSpan span{2, 1.5};
   EXPECT_FALSE(span.Contains(1.999));
   EXPECT_TRUE(span.Contains(2));
@@ -42,13 +42,13 @@ TEST(TimeSpanTest, HoldsItsStartButNotItsEnd) {
   EXPECT_FALSE(TimeSpan().Contains(0));
 }
 
-TEST(ApplyLightTest, NothingIsDoneWithoutEffects) {
+TEST(ApplyLightTest, WithoutEffectsTheImageIsUnchanged) {
   cv::Mat image = Gray(200);
   ApplyLight(&image, {}, 1);
   EXPECT_TRUE(SameImage(image, Gray(200)));
 }
 
-TEST(ApplyLightTest, TheDarkIsAlmostBlack) {
+TEST(ApplyLightTest, DarkImagesAreAlmostBlack) {
   Effects effects;
   effects.dark = {1, 2};
   cv::Mat image = Gray(200);
@@ -58,7 +58,7 @@ TEST(ApplyLightTest, TheDarkIsAlmostBlack) {
   EXPECT_TRUE(SameImage(image, Gray(4)));
 }
 
-TEST(ApplyLightTest, ExposureSwingsByTheStopsGiven) {
+TEST(ApplyLightTest, ExposureOscillatesByTheGivenStops) {
   Effects effects;
   effects.exposure_drift = 1.5;
   EXPECT_DOUBLE_EQ(Brightness(effects, 0), 1);
@@ -72,7 +72,7 @@ TEST(ApplyLightTest, ExposureSwingsByTheStopsGiven) {
   EXPECT_TRUE(SameImage(bright, Gray(255))) << "saturated";
 }
 
-TEST(ApplyLightTest, VignettingTakesItsShareFromTheCorners) {
+TEST(ApplyLightTest, VignettingDarkensTheCornersByTheGivenShare) {
   Effects effects;
   effects.vignetting = 0.6;
   cv::Mat image = Gray(200);
@@ -84,7 +84,7 @@ TEST(ApplyLightTest, VignettingTakesItsShareFromTheCorners) {
   }
 }
 
-TEST(SequenceEffectsTest, OnlyTheDarkFramesAreDark) {
+TEST(SequenceEffectsTest, OnlyFramesInTheDarkTimeSpanAreDark) {
   Effects effects;
   effects.dark = {2 / 30.0 - 1e-6, 2 / 30.0};  // Frames 2 and 3.
   const Sequence sequence = SmallWall(6, effects), clean = SmallWall(6, {});
@@ -100,7 +100,7 @@ TEST(SequenceEffectsTest, OnlyTheDarkFramesAreDark) {
   }
 }
 
-TEST(SequenceEffectsTest, BlurIsTheMeanOverTheFramesTime) {
+TEST(SequenceEffectsTest, BlurAveragesOverTheFrameTime) {
   Effects effects;
   effects.blur = {0.3, 0.1};  // Frames 9 to 11.
   const Sequence sequence = SmallWall(20, effects), clean = SmallWall(20, {});
@@ -113,18 +113,18 @@ TEST(SequenceEffectsTest, BlurIsTheMeanOverTheFramesTime) {
   EXPECT_LT(cv::norm(blurred, sharp, cv::NORM_L1), cv::norm(blurred, clean.Render(9), cv::NORM_L1));
 }
 
-TEST(SequenceEffectsTest, NothingBlursWhereNothingMoves) {
+TEST(SequenceEffectsTest, WithoutMotionThereIsNoBlur) {
   Effects effects;
   effects.blur = {0, 1};
   EXPECT_TRUE(SameImage(SmallWall(1, effects).Render(0), SmallWall(1, {}).Render(0)));
 }
 
-/// Pixels of the boards, by their depth.
+/// Returns a mask of the pixels that show a board, according to their depth.
 cv::Mat BoardMask(const Sequence& sequence, int frame) {
   return sequence.RenderDepth(frame) < 0.81;
 }
 
-TEST(SequenceEffectsTest, MovingBoardsHideTheShareGiven) {
+TEST(SequenceEffectsTest, MovingBoardsCoverTheGivenShareOfTheImage) {
   for (const double share : {0.1, 0.3, 0.7}) {
     Effects effects;
     effects.moving_share = share;
@@ -143,14 +143,14 @@ TEST(SequenceEffectsTest, MovingBoardsHideTheShareGiven) {
   }
 }
 
-TEST(SequenceEffectsTest, MovingBoardsLeaveTheRestAsItIs) {
+TEST(SequenceEffectsTest, MovingBoardsDoNotChangeTheRestOfTheImage) {
   Effects effects;
   effects.moving_share = 0.3;
   const Sequence sequence = SmallWall(3, effects);
   cv::Mat difference;
   cv::absdiff(sequence.Render(2), SmallWall(3, {}).Render(2), difference);
   cv::Mat elsewhere = BoardMask(sequence, 2) == 0;
-  for (int i = 0; i < 2; ++i) {  // But for the edges, which mix both.
+  for (int i = 0; i < 2; ++i) {  // Excludes the edges, which mix both.
     const cv::Mat all = elsewhere.clone();
     const cv::Range rows(1, all.rows - 1), columns(1, all.cols - 1);
     for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
@@ -162,7 +162,7 @@ TEST(SequenceEffectsTest, MovingBoardsLeaveTheRestAsItIs) {
   EXPECT_EQ(cv::countNonZero(difference & elsewhere), 0);
 }
 
-TEST(EffectsTest, NameTheFieldOutOfRange) {
+TEST(EffectsTest, ErrorsNameTheFieldOutOfRange) {
   const auto making = [](auto change) {
     return [change] {
       Effects effects;

@@ -13,15 +13,15 @@ namespace {
 using Eigen::Vector3d;
 using test::IsMatrixNear;
 
-/// The scene has z up; the camera x right, y down, z forward.
-TEST(SceneFromCamera, LooksAlongXAtRest) {
+/// The scene has z up; the camera has x right, y down and z forward.
+TEST(SceneFromCamera, DefaultViewpointLooksAlongX) {
   const SE3 scene_from_camera = SceneFromCamera({});
   EXPECT_THAT(scene_from_camera * Vector3d(0, 0, 1), IsMatrixNear(Vector3d(1, 0, 0), 1e-12));
   EXPECT_THAT(scene_from_camera * Vector3d(1, 0, 0), IsMatrixNear(Vector3d(0, -1, 0), 1e-12));
   EXPECT_THAT(scene_from_camera * Vector3d(0, 1, 0), IsMatrixNear(Vector3d(0, 0, -1), 1e-12));
 }
 
-TEST(SceneFromCamera, YawTurnsLeftAndPitchUp) {
+TEST(SceneFromCamera, YawTurnsLeftAndPitchTurnsUp) {
   Viewpoint viewpoint;
   viewpoint.yaw = 0.3;
   EXPECT_THAT(SceneFromCamera(viewpoint) * Vector3d(0, 0, 1),
@@ -51,7 +51,7 @@ CameraParameters VgaCamera() {
   return camera;
 }
 
-TEST(ChooseCamera, ScalesByPixelAreas) {
+TEST(ChooseCamera, ScalesTheCameraTreatingPixelsAsAreas) {
   SequenceOptions options;
   options.width = 320;
   const Camera half = ChooseCamera(VgaCamera(), options);
@@ -61,7 +61,7 @@ TEST(ChooseCamera, ScalesByPixelAreas) {
   EXPECT_DOUBLE_EQ(half.cy(), 119.5);
 }
 
-TEST(ChooseCamera, PrefersTheOptionsCamera) {
+TEST(ChooseCamera, PrefersTheCameraOfTheOptions) {
   SequenceOptions options;
   options.width = 320;
   options.camera = VgaCamera();

@@ -33,7 +33,8 @@ CameraParameters Parameters(bool distorted) {
   return parameters;
 }
 
-/// A square of one gray about `center` that faces the camera of an identity pose.
+/// Returns a square of one gray level, centered at `center`, that faces a camera with identity
+/// pose. Its texture is added to `scene`.
 Quad FacingQuad(const Vector3d& center, double side, int gray, Scene* scene) {
   Quad quad;
   quad.right = Vector3d::UnitX();
@@ -44,7 +45,7 @@ Quad FacingQuad(const Vector3d& center, double side, int gray, Scene* scene) {
   return quad;
 }
 
-/// Shows one bright spot at a point, 3 px across.
+/// Renders one bright spot at `point`, 3 px across.
 cv::Mat RenderSpot(const Camera& camera, const Vector3d& point, const SE3& scene_from_camera) {
   Scene scene;
   scene.background = 0;
@@ -59,8 +60,8 @@ Vector2d BrightCentroid(const cv::Mat& image) {
 
 class RendererWithAndWithoutDistortion : public ::testing::TestWithParam<bool> {};
 
-/// What exact truth rests on: things appear where Camera::Project says they are.
-TEST_P(RendererWithAndWithoutDistortion, ShowsAPointWhereItProjects) {
+/// Exact ground truth depends on this: points appear where Camera::Project places them.
+TEST_P(RendererWithAndWithoutDistortion, RendersAPointWhereItProjects) {
   const Camera camera(Parameters(GetParam()));
   for (const Vector3d& point : {Vector3d(0, 0, 2), Vector3d(-0.7, 0.4, 2), Vector3d(0.8, -0.6, 1.9),
                                 Vector3d(0.31, 0.63, 1.7), Vector3d(2.3, 1.9, 6)}) {
@@ -69,7 +70,7 @@ TEST_P(RendererWithAndWithoutDistortion, ShowsAPointWhereItProjects) {
   }
 }
 
-TEST_P(RendererWithAndWithoutDistortion, MeasuresDepthAlongTheAxis) {
+TEST_P(RendererWithAndWithoutDistortion, DepthIsMeasuredAlongTheOpticalAxis) {
   const Camera camera(Parameters(GetParam()));
   Scene scene;
   Quad slanted = FacingQuad(Vector3d(0, 0, 3), 20, 100, &scene);
@@ -85,7 +86,7 @@ TEST_P(RendererWithAndWithoutDistortion, MeasuresDepthAlongTheAxis) {
 
 INSTANTIATE_TEST_SUITE_P(Renderer, RendererWithAndWithoutDistortion, ::testing::Bool());
 
-TEST(Renderer, PlacesTheSceneByThePose) {
+TEST(Renderer, RendersTheSceneFromTheGivenPose) {
   const Camera camera(Parameters(false));
   SE3::Tangent tangent;
   tangent << 0.4, -0.2, 0.3, 0.1, -0.2, 0.15;
@@ -96,7 +97,7 @@ TEST(Renderer, PlacesTheSceneByThePose) {
               IsMatrixNear(*camera.Project(scene_from_camera.Inverse() * point), 0.05));
 }
 
-TEST(Renderer, CoversEdgePixelsByArea) {
+TEST(Renderer, EdgePixelsAreBlendedByCoveredArea) {
   const Camera camera(Parameters(false));
   Scene scene;
   scene.background = 0;
@@ -117,7 +118,7 @@ TEST(Renderer, ShowsTheNearerSurface) {
   EXPECT_EQ(image.at<std::uint8_t>(10, 10), 100);
 }
 
-TEST(Renderer, ShowsNeitherBacksNorWhatIsBehind) {
+TEST(Renderer, ShowsNeitherBackFacesNorSurfacesBehindTheCamera) {
   Scene scene;
   scene.background = 7;
   Quad back = FacingQuad(Vector3d(0, 0, 2), 9, 200, &scene);

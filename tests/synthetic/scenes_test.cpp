@@ -36,7 +36,8 @@ SE3 Motion(const Sequence& sequence, std::size_t from, std::size_t to) {
          sequence.poses()[from].world_from_camera;
 }
 
-/// Where a pixel of one frame is in another, by the truth; NaN where it shows nothing or leaves.
+/// Maps a pixel of one frame to its position in another, using the ground truth; NaN if the pixel
+/// shows no surface or its point is outside the other image.
 class Warp {
  public:
   Warp(const Sequence& sequence, int from, int to)
@@ -68,7 +69,8 @@ std::vector<cv::KeyPoint> Corners(const cv::Mat& image) {
   return corners;
 }
 
-/// The share of FAST corners of a frame that have one of the next frame's within 2 px.
+/// Returns the share of the FAST corners of a frame, among those inside the next image, that have a
+/// corner of the next frame within 2 px of their predicted position.
 double Repeatability(const Sequence& sequence, int frame) {
   const Warp warp(sequence, frame, frame + 1);
   const std::vector<cv::KeyPoint> next = Corners(sequence.Render(frame + 1));
@@ -92,7 +94,8 @@ double Interpolate(const cv::Mat& image, const Vector2d& place) {
          b * ((1 - a) * gray(0, 1) + a * gray(1, 1));
 }
 
-/// Over the pixels of one frame whose surface the other one sees too.
+/// Returns the median absolute gray difference over pixels of frame `from` whose surface is also
+/// visible in frame `to`.
 double MedianPhotometricError(const Sequence& sequence, int from, int to) {
   const cv::Mat first = sequence.Render(from), second = sequence.Render(to);
   const cv::Mat second_depth = sequence.RenderDepth(to);
@@ -126,37 +129,37 @@ std::uint64_t HashOf(const cv::Mat& image) {
 struct SceneCase {
   const char* name;
   Sequence (*make)(const SequenceOptions&);
-  int width;                  ///< For the tests, px.
-  std::uint64_t fingerprint;  ///< Of the scene.
-  std::uint64_t image_hash;   ///< Of frame 7 of eight, `width` wide.
+  int width;                  ///< Image width in the tests, px.
+  std::uint64_t fingerprint;  ///< Fingerprint of the scene.
+  std::uint64_t image_hash;   ///< Hash of frame 7 of a sequence of eight.
 };
 
 void PrintTo(const SceneCase& scene, std::ostream* stream) { *stream << scene.name; }
 
 class EveryScene : public ::testing::TestWithParam<SceneCase> {};
 
-/// The scenes are fixed: results on them compare across versions. Whoever changes one on purpose
-/// changes these numbers with it.
-TEST_P(EveryScene, IsPinned) {
+/// The scenes are fixed, so that results on them are comparable across versions. A deliberate
+/// change of a scene must update these numbers.
+TEST_P(EveryScene, MatchesItsRecordedFingerprintAndImage) {
   const Sequence sequence = GetParam().make(Small(8, GetParam().width));
   EXPECT_EQ(sequence.scene().Fingerprint(), GetParam().fingerprint);
   EXPECT_EQ(HashOf(sequence.Render(7)), GetParam().image_hash);
 }
 
-TEST_P(EveryScene, IsTheSameForAnyNumberOfThreads) {
+TEST_P(EveryScene, ImagesDoNotDependOnTheNumberOfThreads) {
   const Sequence sequence = GetParam().make(Small(2, GetParam().width));
   const cv::Mat image = sequence.Render(1);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(cv::norm(sequence.Render(1), image, cv::NORM_INF), 0);
 }
 
-TEST_P(EveryScene, ShowsTheSameHoweverLong) {
+TEST_P(EveryScene, ImagesDoNotDependOnTheSequenceLength) {
   const Sequence brief = GetParam().make(Small(3, GetParam().width));
   const Sequence longer = GetParam().make(Small(400, GetParam().width));
   EXPECT_EQ(cv::norm(brief.Render(2), longer.Render(2), cv::NORM_INF), 0);
 }
 
-TEST_P(EveryScene, StartsAtTheOriginAndKeepsTime) {
+TEST_P(EveryScene, StartsAtTheOriginAndTimestampsFollowTheFrameRate) {
   const Sequence sequence = GetParam().make(Small(20, GetParam().width));
   EXPECT_EQ(sequence.poses()[0].time_ns, 0);
   EXPECT_EQ(sequence.poses()[0].world_from_camera, SE3());
@@ -166,7 +169,7 @@ TEST_P(EveryScene, StartsAtTheOriginAndKeepsTime) {
   }
 }
 
-/// The next frame shows the same gray at the place that the truth predicts.
+/// The next frame shows the same gray at the position that the ground truth predicts.
 TEST_P(EveryScene, IsPhotometricallyConsistent) {
   const Sequence sequence = GetParam().make(Small(4, GetParam().width));
   EXPECT_LT(MedianPhotometricError(sequence, 2, 3), 1.5);
@@ -174,8 +177,8 @@ TEST_P(EveryScene, IsPhotometricallyConsistent) {
 
 class TexturedScene : public EveryScene {};
 
-/// As many corners as real images have, as repeatable as theirs: on KITTI 03 and 05, and on
-/// 7-Scenes, 65% to 82% of the corners that optical flow can follow come back.
+/// Real images have as many corners with the same repeatability: on KITTI 03 and 05, and on
+/// 7-Scenes, 65% to 82% of the corners that optical flow can follow are detected again.
 TEST_P(TexturedScene, HasRealisticCorners) {
   const Sequence sequence = GetParam().make(Small(2, GetParam().width));
   EXPECT_GT(Corners(sequence.Render(0)).size(), 1000u);
@@ -218,7 +221,7 @@ TEST(Room, HasTheDepthsOfARoom) {
   EXPECT_LT(farthest, 7);
 }
 
-TEST(Street, AdvancesLikeACar) {
+TEST(Street, AdvancesAtTheSpeedOfACar) {
   const Sequence street = MakeStreet(Small(300, 64));
   for (std::size_t i = 1; i < street.poses().size(); ++i) {
     const SE3 step = Motion(street, i - 1, i);
@@ -238,8 +241,8 @@ TEST(Street, TurnsByARightAngle) {
   EXPECT_NEAR(widest, 90 * kDegree, 20 * kDegree);
 }
 
-/// Nothing stands on the road: from the camera on, 3 m ahead of it are free.
-TEST(Street, IsClear) {
+/// No object is closer than 2.5 m to the camera.
+TEST(Street, RoadAheadIsFreeOfObstacles) {
   const Sequence street = MakeStreet(Small(300, 124));
   for (int i = 0; i < street.size(); i += 10) {
     double nearest = 0;
@@ -250,7 +253,7 @@ TEST(Street, IsClear) {
   }
 }
 
-/// A tenth of the corners of a room, but not none.
+/// A corridor has less than a tenth of the corners of a room, but more than 20.
 TEST(Corridor, HasLittleTexture) {
   const cv::Mat corridor = MakeCorridor(Small(1, 640)).Render(0);
   const std::size_t corners = Corners(corridor).size();
@@ -258,7 +261,7 @@ TEST(Corridor, HasLittleTexture) {
   EXPECT_LT(corners, Corners(MakeRoom(Small(1, 640)).Render(0)).size() / 10);
 }
 
-TEST(Corridor, IsWalkedDownWithoutMeetingAWall) {
+TEST(Corridor, PathFollowsTheCorridorWithoutHittingAWall) {
   const Sequence corridor = MakeCorridor(Small(4500, 64));
   double farthest = 0;
   for (std::size_t i = 1; i < corridor.poses().size(); ++i) {
@@ -273,8 +276,8 @@ TEST(Corridor, IsWalkedDownWithoutMeetingAWall) {
   }
 }
 
-/// Between two views of a plane n . x = d the map is H = R + t nᵀ / d.
-TEST(PlanarWall, IsRelatedByAHomography) {
+/// Two views of a plane n . x = d are related by the homography H = R + t nᵀ / d.
+TEST(PlanarWall, TwoViewsAreRelatedByAHomography) {
   const Sequence wall = MakePlanarWall(Small(40, 320));
   const Warp warp(wall, 10, 25);
   const SE3 scene_from_first = wall.scene_from_camera(10);
@@ -291,7 +294,7 @@ TEST(PlanarWall, IsRelatedByAHomography) {
   }
 }
 
-TEST(PureRotation, NeverMoves) {
+TEST(PureRotation, CameraTurnsWithoutTranslation) {
   const Sequence rotation = MakePureRotation(Small(300, 64));
   double widest = 0;
   for (const TimedPose& pose : rotation.poses()) {
@@ -303,8 +306,8 @@ TEST(PureRotation, NeverMoves) {
 
 class EveryLens : public testing::TestWithParam<CameraModel> {};
 
-/// The image is the one the camera's own equations say.
-TEST_P(EveryLens, FilmsWhatItsCameraProjects) {
+/// The images agree with the projection equations of the camera model.
+TEST_P(EveryLens, ImagesAgreeWithTheCameraModel) {
   CameraParameters lens = MakePlanarWall(Small(1, 320)).camera().parameters();
   lens.model = GetParam();
   if (GetParam() == CameraModel::kFov) {
@@ -342,21 +345,21 @@ class NoisyWall : public ::testing::Test {
   }
 };
 
-TEST_F(NoisyWall, HasTheSigmaAskedFor) {
+TEST_F(NoisyWall, NoiseHasTheGivenStandardDeviation) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(Noise(0, 5, 1), mean, deviation);
   EXPECT_NEAR(mean[0], 0, 0.1);
   EXPECT_NEAR(deviation[0], 5, 0.1);
 }
 
-TEST_F(NoisyWall, DiffersByFrameAndSeedOnly) {
+TEST_F(NoisyWall, NoiseDependsOnFrameAndSeedOnly) {
   const cv::Mat noise = Noise(0, 5, 1);
   EXPECT_EQ(cv::norm(noise, Noise(0, 5, 1), cv::NORM_INF), 0);
   EXPECT_GT(cv::norm(noise, Noise(1, 5, 1), cv::NORM_INF), 10);
   EXPECT_GT(cv::norm(noise, Noise(0, 5, 2), cv::NORM_INF), 10);
 }
 
-TEST(SequenceOptions, NameTheFieldOutOfRange) {
+TEST(SequenceOptions, ErrorsNameTheFieldOutOfRange) {
   SequenceOptions options;
   options.frames = 0;
   EXPECT_THAT(ErrorOf([&] { MakeRoom(options); }), ::testing::HasSubstr("frames is 0"));
@@ -368,7 +371,7 @@ TEST(SequenceOptions, NameTheFieldOutOfRange) {
   EXPECT_THAT(ErrorOf([&] { MakeRoom(options); }), ::testing::HasSubstr("noise_sigma is nan"));
 }
 
-TEST(TurnTest, TheCameraTurnsAboutItsOwnCenterAndThenGoesOn) {
+TEST(TurnTest, TheCameraTurnsAboutItsOwnCenterAndThenContinuesItsPath) {
   SequenceOptions options = Small(80, 64);
   const PoseSequence plain = MakeRoom(options).poses();
   options.turn = {1, 1};  // Frames 30 to 59.

@@ -15,7 +15,7 @@ TEST(StreetPath, StartsAtTheOriginAlongX) {
   EXPECT_EQ(start.heading, 0);
 }
 
-TEST(StreetPath, IsParameterizedByItsLength) {
+TEST(StreetPath, IsParameterizedByArcLength) {
   const StreetPath path(400);
   for (double distance = 0; distance < 395; distance += 3.7) {
     const Eigen::Vector2d step = path.At(distance + 0.5).position - path.At(distance).position;
@@ -34,21 +34,21 @@ TEST(StreetPath, TurnsSmoothly) {
   EXPECT_NEAR(sharpest, 1.0 / 12, 1e-6);
 }
 
-/// After one right angle to the left the road runs along y, and later along x again.
+/// After a right-angle turn to the left the road runs along y, and later along x again.
 TEST(StreetPath, TurnsLeftThenRight) {
   const StreetPath path(600);
   EXPECT_NEAR(path.At(165).heading, 1.5707963, 1e-6);
   EXPECT_NEAR(path.At(375).heading, 0, 1e-6);
 }
 
-TEST(StreetPath, NeverMeetsItself) {
+TEST(StreetPath, NeverComesNearItself) {
   const StreetPath path(2000);
   for (double distance = 0; distance < 1900; distance += 5) {
     EXPECT_GT(path.Clearance(path.At(distance).position, distance + 60, 2000), 35) << distance;
   }
 }
 
-TEST(StreetPath, IsTheSameHoweverLong) {
+TEST(StreetPath, DoesNotDependOnTheRequestedLength) {
   const StreetPath::Place a = StreetPath(200).At(150), b = StreetPath(2000).At(150);
   EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.heading, b.heading);

@@ -21,7 +21,7 @@ Canvas RandomCanvas(int side) {
   return canvas;
 }
 
-TEST(Texture, IsExactAtTheCentersOfTexels) {
+TEST(Texture, IsExactAtTexelCenters) {
   const Canvas canvas = RandomCanvas(16);
   const Texture texture(canvas);
   for (int y = 0; y < 16; ++y) {
@@ -31,14 +31,14 @@ TEST(Texture, IsExactAtTheCentersOfTexels) {
   }
 }
 
-TEST(Texture, InterpolatesBetweenCenters) {
+TEST(Texture, InterpolatesBetweenTexelCenters) {
   const Canvas canvas = RandomCanvas(16);
   const Texture texture(canvas);
   const float expected = 0.75f * canvas.At(4, 7) + 0.25f * canvas.At(5, 7);
   EXPECT_NEAR(texture.Sample({4.75, 7.5}, kPointlike, kPointlike), expected, 1e-4);
 }
 
-TEST(Texture, Repeats) {
+TEST(Texture, RepeatsPeriodically) {
   const Texture texture(RandomCanvas(16));
   const Vector2d dx(1.5, 0.2), dy(-0.1, 3.0);
   const float here = texture.Sample({3.2, 9.9}, dx, dy);
@@ -55,7 +55,8 @@ TEST(Texture, AveragesOverTheFootprint) {
   EXPECT_NEAR(texture.Sample({10.5, 10.5}, {500, 0}, {0, 500}), 120, 1);
 }
 
-/// Stripes along x: a footprint long in x must not blur them, one long in y must.
+/// The stripes run along x: a footprint that is long in x must not blur them, one that is long in y
+/// must.
 TEST(Texture, FiltersAlongTheLongAxisOnly) {
   Canvas stripes(64);
   for (int y = 0; y < 64; ++y) {

@@ -81,7 +81,7 @@ TEST(WriteSequence, EurocLayoutIsReadBack) {
   }
 }
 
-TEST(WriteSequence, EurocTruthIsABodysAndFindsBackToTheCamera) {
+TEST(WriteSequence, EurocGroundTruthIsOfTheBodyAndConvertsBackToTheCamera) {
   const TempFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kEuroc);
@@ -97,7 +97,7 @@ TEST(WriteSequence, EurocTruthIsABodysAndFindsBackToTheCamera) {
   }
 }
 
-TEST(WriteSequence, RefusesCamerasThatTheLayoutCannotDescribe) {
+TEST(WriteSequence, RejectsCamerasThatTheLayoutCannotDescribe) {
   const TempFolder folder;
   SequenceOptions options;
   options.frames = 1;
@@ -117,7 +117,7 @@ TEST(WriteSequence, RefusesCamerasThatTheLayoutCannotDescribe) {
   EXPECT_EQ(ReadCameraFile(folder / "tum/camera.yaml").camera.parameters(), *options.camera);
 }
 
-TEST(WriteSequence, TumTruthIsExact) {
+TEST(WriteSequence, TumGroundTruthIsExact) {
   const TempFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kTum);
@@ -133,7 +133,7 @@ TEST(WriteSequence, TumTruthIsExact) {
   EXPECT_EQ(seconds, "0.066666667");
 }
 
-TEST(WriteSequence, KittiTruthIsExact) {
+TEST(WriteSequence, KittiGroundTruthIsExact) {
   const TempFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kKitti);
@@ -145,7 +145,7 @@ TEST(WriteSequence, KittiTruthIsExact) {
   }
 }
 
-TEST(WriteSequence, DescribesTheCamera) {
+TEST(WriteSequence, WritesTheCameraFile) {
   const TempFolder folder;
   WriteSequence(ShortWall(), folder.path(), Layout::kTum);
   EXPECT_EQ(ReadText(folder / "camera.yaml"),
@@ -153,7 +153,7 @@ TEST(WriteSequence, DescribesTheCamera) {
             "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\nframe_rate_hz: 30\n");
 }
 
-TEST(WriteSequence, ReplacesASequenceOfItsOwn) {
+TEST(WriteSequence, ReplacesASequenceThatItWrote) {
   const TempFolder folder;
   WriteSequence(ShortWall(3), folder.path(), Layout::kTum);
   WriteText(folder / "notes.txt", "mine");
@@ -163,7 +163,7 @@ TEST(WriteSequence, ReplacesASequenceOfItsOwn) {
   EXPECT_EQ(ReadText(folder / "notes.txt"), "mine");
 }
 
-TEST(WriteSequence, LeavesAForeignFolderAlone) {
+TEST(WriteSequence, RefusesToOverwriteForeignFiles) {
   const TempFolder folder;
   WriteText(folder / "groundtruth.txt", "mine");
   EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder.path(), Layout::kTum); }),
@@ -171,7 +171,7 @@ TEST(WriteSequence, LeavesAForeignFolderAlone) {
   EXPECT_EQ(ReadText(folder / "groundtruth.txt"), "mine");
 }
 
-TEST(WriteSequence, OverwritesByForce) {
+TEST(WriteSequence, OverwritesForeignFilesIfForced) {
   const TempFolder folder;
   WriteText(folder / "groundtruth.txt", "mine");
   WriteText(folder / "notes.txt", "mine");
@@ -180,7 +180,7 @@ TEST(WriteSequence, OverwritesByForce) {
   EXPECT_EQ(ReadText(folder / "notes.txt"), "mine");
 }
 
-TEST(WriteSequence, NeedsAFolder) {
+TEST(WriteSequence, RejectsATargetThatIsNotAFolder) {
   const TempFolder folder;
   WriteText(folder / "file", "");
   EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder / "file", Layout::kTum); }),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole odometry on public sequences with ground truth.
+// Runs the complete odometry on public sequences with ground truth.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A dataset's folder, of which a short run takes at most `max_short_frames` frames.
+/// A dataset folder; a short run uses only its first `max_short_frames` frames.
 struct Folder {
   Folder(const std::string& folder, int max_short_frames)
       : list(ListImages(test::DataPath(folder), 30)),
@@ -49,7 +49,8 @@ PoseSequence ReadKittiTruth(const std::string& sequence) {
                    ReadKittiTimes(test::DataPath("kitti/sequences/" + sequence + "/times.txt")));
 }
 
-/// body_from_camera of EuRoC's left camera, as published with the dataset (cam0/sensor.yaml).
+/// Returns body_from_camera of EuRoC's left camera, as published with the dataset
+/// (cam0/sensor.yaml).
 SE3 EurocBodyFromCamera() {
   Eigen::Matrix3d rotation;
   rotation << 0.0148655429818, -0.999880929698, 0.00414029679422, 0.999557249008, 0.0149672133247,
@@ -74,12 +75,13 @@ void ExpectAccurate(const Trajectory& trajectory, const PoseSequence& truth, dou
   EXPECT_LE(evaluation.absolute.rmse, max_ate);
 }
 
-TEST(RealSequenceTest, Kitti03CountryRoad) {
+TEST(RealSequenceTest, Kitti03CountryRoadIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/03");
   ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 0.45, 0.997);
 }
 
-/// Of every `step` images one, from each of the first four on.
+/// Runs on every `step`-th image, starting once from each of the first four images, and expects
+/// every run to be accurate.
 void ExpectAccurateWithEvery(int step, const std::string& kitti_sequence, double max_ate) {
   const Folder folder("kitti/sequences/" + kitti_sequence, 8);
   const test::ImageSource all = folder.Source();
@@ -110,12 +112,12 @@ TEST(RealSequenceTest, Kitti05KeepsItsScaleAtAThirdOfTheFrameRate) {
   ExpectAccurateWithEvery(3, "05", 0.2);
 }
 
-TEST(RealSequenceTest, Kitti05SharpTurn) {
+TEST(RealSequenceTest, Kitti05SharpTurnIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
 }
 
-TEST(RealSequenceTest, Kitti05SharpTurnRefined) {
+TEST(RealSequenceTest, Kitti05SharpTurnIsRefinedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   const Folder folder("kitti/sequences/05", 8);
   const Refinement refined =
@@ -125,12 +127,12 @@ TEST(RealSequenceTest, Kitti05SharpTurnRefined) {
   ExpectAccurate(refined.trajectory, ReadKittiTruth("05"), 0.06, 0.98);
 }
 
-TEST(RealSequenceTest, Kitti06Straight) {
+TEST(RealSequenceTest, Kitti06StraightRoadIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/06");
   ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), ReadKittiTruth("06"), 0.06, 0.98);
 }
 
-TEST(RealSequenceTest, SevenScenesHandHeld) {
+TEST(RealSequenceTest, SevenScenesHandHeldCameraIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("7scenes/redkitchen");
   const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "7scenes.yaml").camera;
   const Trajectory trajectory = RunOnFolder("7scenes/redkitchen", &camera, 5);
@@ -138,7 +140,7 @@ TEST(RealSequenceTest, SevenScenesHandHeld) {
   ExpectAccurate(trajectory, ReadTum(truth), 0.045, 0.98);
 }
 
-TEST(RealSequenceTest, EurocShakenDrone) {
+TEST(RealSequenceTest, EurocDroneIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("euroc/MH_01_easy");
   const Trajectory trajectory = RunOnFolder("euroc/MH_01_easy/mav0", nullptr, 12);
   const fs::path truth =
@@ -146,14 +148,14 @@ TEST(RealSequenceTest, EurocShakenDrone) {
   ExpectAccurate(trajectory, ReadEurocTruth(truth), 0.008, 0.98);
 }
 
-TEST(RealSequenceTest, EurocStandingStillHasNoPose) {
+TEST(RealSequenceTest, EurocFramesOfAStaticCameraHaveNoPose) {
   CORVO_REQUIRE_DATA("euroc/V1_01_easy");
   const Trajectory trajectory = RunOnFolder("euroc/V1_01_easy/mav0", nullptr, 6);
   EXPECT_EQ(trajectory.PosedShare(), 0);
   EXPECT_EQ(trajectory.frames.back().reason, Reason::kLowParallax);
 }
 
-/// Rotation of each frame that has one, at the origin.
+/// Returns the rotation of each frame that has one, as a pose at the origin.
 PoseSequence RotationsOf(const Trajectory& trajectory) {
   PoseSequence rotations;
   for (const FrameResult& frame : trajectory.frames) {
@@ -164,7 +166,7 @@ PoseSequence RotationsOf(const Trajectory& trajectory) {
   return rotations;
 }
 
-TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
+TEST(RealSequenceTest, RotationIsTrackedWhileTheCameraOnlyTurns) {
   const std::string folder = "tum/rgbd_dataset_freiburg1_rpy";
   CORVO_REQUIRE_DATA(folder);
   const Camera camera = ReadCameraFile(test::SourceDir() / "configs" / "tum_fr1.yaml").camera;
@@ -184,7 +186,7 @@ TEST(RealSequenceTest, RotationIsTrackedWhereTheCameraOnlyTurns) {
   EXPECT_LE(rmse_deg, 2.2);
 }
 
-/// Focal length that the images of a folder alone tell.
+/// Estimates the focal length from the images of a folder alone.
 FocalSearchResult SearchFolder(const std::string& folder) {
   const StreamOpener open = ToStreamOpener([&folder] {
     ImageSource source = OpenImages(test::DataPath(folder).string(), std::nullopt, 30, {});
@@ -195,9 +197,9 @@ FocalSearchResult SearchFolder(const std::string& folder) {
   return FindFocalLength({open}, {}).value().search;
 }
 
-/// The real cameras' centers and distortions are not those that the search assumes: that alone is
-/// an error of a seventh on KITTI.
-TEST(RealFocalSearchTest, StartsNearTheTruthWhereTheCameraTurns) {
+/// The principal points and distortions of the real cameras differ from those that the search
+/// assumes; this alone is an error of a seventh on KITTI.
+TEST(RealFocalSearchTest, FocalLengthIsNearTheTrueOneIfTheCameraTurns) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   CORVO_REQUIRE_DATA("7scenes/redkitchen");
   const FocalSearchResult kitti = SearchFolder("kitti/sequences/05");
@@ -208,7 +210,7 @@ TEST(RealFocalSearchTest, StartsNearTheTruthWhereTheCameraTurns) {
   EXPECT_NEAR(kitchen.camera.fx / 525, 1, 0.06);
 }
 
-TEST(RealFocalSearchTest, SaysThatAStraightRoadDoesNotTell) {
+TEST(RealFocalSearchTest, AStraightRoadDoesNotDetermineTheFocalLength) {
   CORVO_REQUIRE_DATA("kitti/sequences/06");
   EXPECT_FALSE(SearchFolder("kitti/sequences/06").is_determined);
 }

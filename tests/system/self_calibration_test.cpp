@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Odometry that is given a wrong camera, on rendered sequences whose camera is known exactly.
-// Statistics over many such runs: bench/calibration.
+// Runs the odometry with a wrong camera on rendered sequences whose camera is known exactly.
+// Statistics over many of these runs: bench/calibration.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -39,8 +39,8 @@ SequenceOptions MakeOptions(int frames, std::uint64_t noise_seed) {
   return options;
 }
 
-TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheSigmasThatAreClaimed) {
-  if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the camera is known";
+TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheReportedSigmas) {
+  if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the camera is estimated";
   test::Random random(3);
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Sequence room = MakeRoom(MakeOptions(150, seed));
@@ -59,7 +59,7 @@ TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheSigmasThatAreClaimed
   }
 }
 
-TEST(SelfCalibrationTest, ACameraThatOnlyTurnsStaysAsItWasGiven) {
+TEST(SelfCalibrationTest, PureRotationKeepsTheGivenCameraWithinItsSigmas) {
   const Sequence rotation = MakePureRotation(MakeOptions(test::IsShortRun() ? 12 : 60, 1));
   const CameraPrior prior{rotation.camera().parameters(), kFree};
   const Odometry odometry = RunOn(rotation, prior);

@@ -12,7 +12,7 @@
 
 namespace corvo::test {
 
-/// Image and time of frame i.
+/// The image and timestamp of a frame.
 struct TimedImage {
   cv::Mat image;
   TimeNs time_ns = 0;
@@ -22,10 +22,10 @@ using ImageSource = std::function<TimedImage(int)>;
 /// Runs Odometry with default options over frames 0 to num_frames - 1 and finishes it.
 Trajectory RunOdometry(const ImageSource& source, int num_frames, const Camera& camera);
 
-/// The same, refined after the last frame.
+/// Like RunOdometry(), but refines the trajectory after the last frame.
 Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera& camera);
 
-/// Position errors after one Sim3 for the whole sequence.
+/// Evaluates the posed frames after a Sim3 alignment of the whole trajectory.
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth);
 
 }  // namespace corvo::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole odometry on rendered sequences whose truth is exact.
+// Runs the complete odometry on rendered sequences with exact ground truth.
 #include <gmock/gmock.h>
 
 #include "apps/synthetic/sequence.h"
@@ -28,7 +28,8 @@ Trajectory RunOn(const Sequence& sequence) {
   return test::RunOdometry(source, sequence.size(), sequence.camera());
 }
 
-/// ATE in percent of the true path, and the share of frames posed, within bounds.
+/// Expects an ATE of at most `max_ate_percent` of the true path length, a share of at least
+/// `min_posed_share` posed frames, and a single segment.
 void ExpectAccurate(const Sequence& sequence, double max_ate_percent, double min_posed_share) {
   const Trajectory trajectory = RunOn(sequence);
   if (test::IsShortRun()) return;
@@ -40,15 +41,17 @@ void ExpectAccurate(const Sequence& sequence, double max_ate_percent, double min
   EXPECT_LE(ate_percent, max_ate_percent);
 }
 
-TEST(SyntheticSequenceTest, Room) { ExpectAccurate(MakeRoom(MakeOptions(150, 640, 3)), 0.4, 0.95); }
+TEST(SyntheticSequenceTest, RoomIsTrackedAccurately) {
+  ExpectAccurate(MakeRoom(MakeOptions(150, 640, 3)), 0.4, 0.95);
+}
 
-TEST(SyntheticSequenceTest, Street) {
+TEST(SyntheticSequenceTest, StreetIsTrackedAccurately) {
   ExpectAccurate(MakeStreet(MakeOptions(100, 930, 3)), 1.0, 0.95);
 }
 
-TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
+TEST(SyntheticSequenceTest, RoomThroughAFisheyeIsTrackedAccurately) {
   SequenceOptions options = MakeOptions(40, 0, 3);
-  CameraParameters fisheye;  // As TUM-VI's lens, which sees 80 degrees off its axis and beyond.
+  CameraParameters fisheye;  // Like TUM-VI's lens, which covers more than 80 degrees off its axis.
   fisheye.model = CameraModel::kKb4;
   fisheye.width = fisheye.height = 480;
   fisheye.fx = fisheye.fy = 180;
@@ -61,7 +64,7 @@ TEST(SyntheticSequenceTest, RoomThroughAFisheye) {
   ExpectAccurate(MakeRoom(options), 0.5, 0.9);
 }
 
-/// A walk that is dark from 2 s on.
+/// Makes a walk through the room that is dark for `dark_s` seconds, from 2 s on.
 Sequence MakeDarkRoom(double dark_s, std::uint64_t noise_seed) {
   SequenceOptions options = MakeOptions(180, 640, 3);
   options.effects.dark = {2, dark_s};
@@ -69,7 +72,8 @@ Sequence MakeDarkRoom(double dark_s, std::uint64_t noise_seed) {
   return MakeRoom(options);
 }
 
-/// Whether frames after the dark have accurate poses in the segment of those before.
+/// Returns whether at least 50 frames from `end_s` on are posed, all poses are in segment 0, and
+/// the ATE is at most 1% of the true path length.
 bool IsRecovered(const Trajectory& trajectory, const Sequence& sequence, double end_s) {
   int num_posed_after = 0;
   for (const FrameResult& frame : trajectory.frames) {
@@ -80,7 +84,7 @@ bool IsRecovered(const Trajectory& trajectory, const Sequence& sequence, double 
   return num_posed_after >= 50 && evaluation.absolute.rmse <= 0.01 * evaluation.truth_path_length;
 }
 
-TEST(SyntheticSequenceTest, InTwoSecondsOfDarkTheTrackIsLost) {
+TEST(SyntheticSequenceTest, TrackIsLostDuringTwoSecondsOfDarkness) {
   const Sequence sequence = MakeDarkRoom(2, 1);
   for (const FrameResult& frame : RunOn(sequence).frames) {
     const double seconds = sequence.SecondsAt(frame.index);
@@ -91,8 +95,8 @@ TEST(SyntheticSequenceTest, InTwoSecondsOfDarkTheTrackIsLost) {
   }
 }
 
-TEST(SyntheticSequenceTest, AShortDarkIsRecoveredFromInTheSameSegment) {
-  if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the dark";
+TEST(SyntheticSequenceTest, RecoversFromShortDarknessInTheSameSegment) {
+  if (test::IsShortRun()) GTEST_SKIP() << "a short run ends before the darkness";
   constexpr double kDark = 1.4;
   for (int seed = 0; seed < 4; ++seed) {
     const Sequence sequence = MakeDarkRoom(kDark, seed);
@@ -100,7 +104,7 @@ TEST(SyntheticSequenceTest, AShortDarkIsRecoveredFromInTheSameSegment) {
   }
 }
 
-TEST(SyntheticSequenceTest, PureRotationIsTrackedAndInventsNoTranslation) {
+TEST(SyntheticSequenceTest, PureRotationIsTrackedWithoutTranslation) {
   const Sequence sequence = MakePureRotation(MakeOptions(60, 640, 3));
   const Trajectory trajectory = RunOn(sequence);
   EXPECT_EQ(trajectory.PosedShare(), 0);
@@ -117,7 +121,7 @@ TEST(SyntheticSequenceTest, PureRotationIsTrackedAndInventsNoTranslation) {
   EXPECT_GT(num_said, 20);
 }
 
-TEST(SyntheticSequenceTest, PlanarWall) {
+TEST(SyntheticSequenceTest, PlanarWallIsTrackedAccurately) {
   ExpectAccurate(MakePlanarWall(MakeOptions(60, 640, 3)), 1.0, 0.95);
 }
 

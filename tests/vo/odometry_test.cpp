@@ -37,7 +37,7 @@ void ExpectIdentical(const Trajectory& a, const Trajectory& b) {
   }
 }
 
-TEST(OdometryTest, FollowsASteadyDrive) {
+TEST(OdometryTest, TracksASteadyDrive) {
   const Trajectory trajectory = RunDrive(MakeDrive(25, 1), 1);
   ASSERT_EQ(trajectory.frames.size(), 25u);
   EXPECT_GE(trajectory.PosedShare(), 0.9);
@@ -55,7 +55,7 @@ TEST(OdometryTest, FollowsASteadyDrive) {
   EXPECT_LT(std::sqrt(sum_of_squares / static_cast<double>(poses.size() - 1)), 0.1 * step.x());
 }
 
-TEST(OdometryTest, GivesTheSameBitsForAnyNumberOfThreads) {
+TEST(OdometryTest, ResultIsIdenticalForAnyNumberOfThreads) {
   const std::vector<cv::Mat> drive = MakeDrive(15, 2);
   const Trajectory once = RunDrive(drive, 1);
   EXPECT_GT(once.PosedShare(), 0.5);
@@ -63,7 +63,7 @@ TEST(OdometryTest, GivesTheSameBitsForAnyNumberOfThreads) {
   ExpectIdentical(once, RunDrive(drive, 2));
 }
 
-TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
+TEST(OdometryTest, InterleavedInstancesDoNotAffectEachOther) {
   const std::vector<cv::Mat> first = MakeDrive(15, 3), second = MakeDrive(15, 30);
   Odometry a(test::PinholeCamera()), b(test::PinholeCamera());
   for (int i = 0; i < 15; ++i) {
@@ -74,7 +74,7 @@ TEST(OdometryTest, InterleavedInstancesGiveWhatEachGivesAlone) {
   ExpectIdentical(b.Finish(), RunDrive(second, 1));
 }
 
-TEST(OdometryTest, AfterAResetItGivesWhatANewOneGives) {
+TEST(OdometryTest, AfterResetTheResultIsThatOfANewInstance) {
   const std::vector<cv::Mat> images = MakeDrive(6, 1);
   Odometry odometry(test::PinholeCamera());
   for (int i = 0; i < 4; ++i) odometry.Process(images[5 - i], (i + 1) * kFrameTime);
@@ -85,7 +85,7 @@ TEST(OdometryTest, AfterAResetItGivesWhatANewOneGives) {
   ExpectIdentical(odometry.Finish(), RunDrive(images, 1));
 }
 
-TEST(OdometryTest, TracksOfTheLastFrameNameLivingLandmarks) {
+TEST(OdometryTest, LastFrameRefersToExistingLandmarksOnly) {
   const std::vector<cv::Mat> images = MakeDrive(8, 1);
   Odometry odometry(test::PinholeCamera());
   EXPECT_EQ(odometry.last_frame().num_keypoints(), 0);
@@ -103,7 +103,7 @@ TEST(OdometryTest, TracksOfTheLastFrameNameLivingLandmarks) {
   }
 }
 
-TEST(OdometryTest, StandingStillHasNoPose) {
+TEST(OdometryTest, FramesOfAStaticCameraHaveNoPose) {
   const cv::Mat image = TwoWalls(5).Render(0);
   const Trajectory trajectory = RunDrive(std::vector<cv::Mat>(10, image), 1);
   EXPECT_EQ(trajectory.PosedShare(), 0);
@@ -180,7 +180,7 @@ TEST(OdometryTest, ACameraThatStopsAndGoesOnIsTracked) {
   EXPECT_EQ(trajectory.frames.back().segment, 0);
 }
 
-TEST(OdometryTest, ABlankImageIsSaidAndTrackingGoesOnAfterIt) {
+TEST(OdometryTest, BlankImageIsReportedAndTrackingContinues) {
   std::vector<cv::Mat> drive = MakeDrive(20, 6);
   drive[12] = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));
   const Trajectory trajectory = RunDrive(drive, 1);
@@ -193,13 +193,13 @@ TEST(OdometryTest, ABlankImageIsSaidAndTrackingGoesOnAfterIt) {
   }
 }
 
-TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
+TEST(OdometryTest, AfterACutANewSegmentContinuesTheOldOne) {
   std::vector<cv::Mat> drive = MakeDrive(15, 7);
   for (const cv::Mat& image : MakeDrive(15, 20)) drive.push_back(image);
   const Trajectory trajectory = RunDrive(drive, 1);
   for (int i = 1; i < 30; ++i) EXPECT_EQ(trajectory.frames[i].segment, i < 15 ? 0 : 1) << i;
   ASSERT_GE(trajectory.PosedShare(), 0.9);
-  // The same speed before and after: the scale is carried over.
+  // The speed is the same before and after the cut: the scale is carried over.
   const auto step = [&](int i) {
     return (trajectory.frames[i].world_from_camera->translation() -
             trajectory.frames[i - 1].world_from_camera->translation())
@@ -210,7 +210,7 @@ TEST(OdometryTest, AfterACutANewSegmentGoesOnFromTheOldOne) {
             trajectory.frames[13].world_from_camera->translation().x());
 }
 
-TEST(OdometryTest, ANewSegmentGetsKeyframesAsTheFirstDoes) {
+TEST(OdometryTest, ANewSegmentGetsKeyframesLikeTheFirst) {
   std::vector<cv::Mat> drive = MakeDrive(25, 7);
   for (const cv::Mat& image : MakeDrive(25, 20)) drive.push_back(image);
   Odometry odometry(test::PinholeCamera());
@@ -221,15 +221,15 @@ TEST(OdometryTest, ANewSegmentGetsKeyframesAsTheFirstDoes) {
   for (KeyframeId id = 0; id < odometry.map().num_keyframes(); ++id) {
     ++num_keyframes.at(odometry.map().SegmentOf(id));
   }
-  constexpr int kFirst = 2;  // With which a segment begins.
+  constexpr int kFirst = 2;  // Number of keyframes that start a segment.
   EXPECT_GT(num_keyframes[0], kFirst);
   EXPECT_GT(num_keyframes[1], kFirst);
 }
 
-TEST(OdometryTest, WhereverItIsSetDownAgainItIsFoundInTheSameSegment) {
+TEST(OdometryTest, RelocalizesInTheSameSegmentAfterAJumpBack) {
   std::vector<cv::Mat> drive = MakeDrive(25, 8);
   drive.push_back(cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
-  for (int i = 8; i < 14; ++i) drive.push_back(drive[i]);  // Back where it has been.
+  for (int i = 8; i < 14; ++i) drive.push_back(drive[i]);  // Jumps back to a known place.
   const Trajectory trajectory = RunDrive(drive, 1);
   for (int i = 0; i < 6; ++i) {
     const FrameResult& before = trajectory.frames[8 + i];
@@ -240,7 +240,7 @@ TEST(OdometryTest, WhereverItIsSetDownAgainItIsFoundInTheSameSegment) {
   }
 }
 
-TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
+TEST(OdometryTest, ANewSegmentWaitsForMaxLostTime) {
   std::vector<cv::Mat> drive = MakeDrive(12, 7);
   for (const cv::Mat& image : MakeDrive(12, 20)) drive.push_back(image);
   for (const double max_lost_s : {0.0, 0.5, 10.0}) {
@@ -259,12 +259,12 @@ TEST(OdometryTest, ANewSegmentWaitsAsLongAsTheOptionsSay) {
   }
 }
 
-TEST(OdometryTest, OnALongDriveTheWorkingSetStaysAndTheTrajectoryIsTheSame) {
+TEST(OdometryTest, OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory) {
   CORVO_SKIP_IF_SHORT();
   constexpr int kFrames = 300;
   const std::vector<cv::Mat> drive = test::MakeLongDrive(kFrames);
   OdometryOptions options;
-  options.calibration.enabled = false;  // What tells the camera may have left.
+  options.calibration.enabled = false;  // Marginalized keyframes do not inform it.
   Odometry everything(test::LongDriveCamera(), options);
   options.relocalizer.max_keyframes = 16;
   Odometry newest(test::LongDriveCamera(), options);
@@ -303,7 +303,7 @@ TEST(OdometryTest, BadInputThrowsAndChangesNothing) {
   EXPECT_EQ(odometry.Process(drive[1], 2 * kFrameTime).index, 1);
 }
 
-TEST(OdometryTest, OptionsAreChecked) {
+TEST(OdometryTest, InvalidOptionsThrow) {
   OdometryOptions options;
   options.tracker.min_inliers = 3;
   EXPECT_THAT([&] { Odometry(test::PinholeCamera(), options); },

@@ -11,7 +11,7 @@
 
 namespace corvo::test {
 
-/// Smooth seeded noise with corners: an image that ORB likes.
+/// Makes seeded noise of uniform 8 x 8 px blocks, whose corners are good ORB features.
 inline cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
   Random random(seed);
   cv::Mat texture(height / 8, width / 8, CV_8UC1);
@@ -24,7 +24,8 @@ inline cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
   return texture;
 }
 
-/// Two parallel textured walls, the nearer over the image's middle, seen from x.
+/// Two parallel textured walls, the nearer one across the middle of the image. Render() takes the
+/// position of the camera along x.
 class TwoWalls {
  public:
   explicit TwoWalls(std::uint64_t seed, int width = 1600)
@@ -43,7 +44,7 @@ class TwoWalls {
   cv::Mat near_, far_;
 };
 
-/// A steady drive of `num_frames` along two walls.
+/// Renders a steady drive along two walls, 0.1 per frame.
 inline std::vector<cv::Mat> MakeDrive(int num_frames, std::uint64_t seed) {
   const TwoWalls walls(seed);
   std::vector<cv::Mat> images;
@@ -51,7 +52,7 @@ inline std::vector<cv::Mat> MakeDrive(int num_frames, std::uint64_t seed) {
   return images;
 }
 
-/// A drive past one wall after another, 0.1 a frame.
+/// Renders a drive of any length along two walls, 0.1 per frame, in images of 320 x 240 px.
 inline std::vector<cv::Mat> MakeLongDrive(int num_frames) {
   const TwoWalls walls(11, 1600 + 13 * num_frames);
   std::vector<cv::Mat> images;

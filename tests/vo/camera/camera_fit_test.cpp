@@ -12,7 +12,8 @@
 namespace corvo {
 namespace {
 
-/// The greatest distance of two cameras' pixels over the image of the first.
+/// Returns the greatest distance, in pixels, between the projections of the same ray by two
+/// cameras, over the image of the first.
 double GreatestDistance(const Camera& first, const Camera& second) {
   double greatest = 0;
   for (int x = 0; x < first.width(); x += 20) {
@@ -30,19 +31,19 @@ Camera Distorted(double k1) {
   return Camera(parameters);
 }
 
-TEST(CameraFitTest, TheSameModelIsTheSameCamera) {
+TEST(CameraFitTest, FittingTheSameModelReturnsTheSameCamera) {
   const Camera camera = Distorted(-0.1);
   EXPECT_EQ(FitCamera(camera, CameraModel::kPinhole), camera.parameters());
 }
 
-TEST(CameraFitTest, AFisheyeModelImagesAsAPinholeDoes) {
+TEST(CameraFitTest, AFisheyeModelReproducesAPinholeCamera) {
   for (const double k1 : {-0.2, 0.0, 0.1}) {
     const Camera camera = Distorted(k1);
     EXPECT_LT(GreatestDistance(camera, Camera(FitCamera(camera, CameraModel::kKb4))), 0.1) << k1;
   }
 }
 
-TEST(CameraFitTest, ALensIsFoundAgain) {
+TEST(CameraFitTest, FittingBackRecoversTheOriginalLens) {
   CameraParameters lens = test::PinholeCamera().parameters();
   lens.model = CameraModel::kFov;
   lens.omega = 0.8;

@@ -15,7 +15,7 @@ CameraPrior Prior(std::vector<FreeParameter> free) {
   return {test::PinholeCamera().parameters(), std::move(free)};
 }
 
-TEST(CameraPriorTest, ADifferenceMovesWhatIsFree) {
+TEST(CameraPriorTest, ApplyChangesOnlyTheFreeParameters) {
   const CameraPrior prior = Prior({{"focal"}, {"cy"}, {"k1"}});
   const CameraParameters camera = prior.Apply(Eigen::Vector3d(std::log(1.1), -2, 0.05));
   CameraParameters expected = prior.given;
@@ -37,12 +37,12 @@ TEST(CameraPriorTest, DifferenceIsTheInverseOfApply) {
   EXPECT_NEAR(focal.Difference(focal.Apply(Eigen::VectorXd::Constant(1, 0.07)))[0], 0.07, 1e-12);
 }
 
-TEST(CameraPriorTest, WhatIsNotKnownHasNoError) {
+TEST(CameraPriorTest, ParametersWithoutASigmaHaveNoError) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"cx"}, {"k1", 0.02}});
   EXPECT_DOUBLE_EQ(prior.SquaredError(Eigen::Vector3d(0.02, 1e6, 0.02)), 4 + 0 + 1);
 }
 
-TEST(CameraPriorTest, AllowsAFewSigmas) {
+TEST(CameraPriorTest, ChiSquareTestAllowsAFewSigmas) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}});
   EXPECT_THAT(Eigen::VectorXd(PriorEstimate(prior).covariance.diagonal()),
               test::IsMatrixNear(Eigen::VectorXd(Eigen::Vector3d(1e-4, 4e-4, 9e-4)), 1e-15));
@@ -51,12 +51,12 @@ TEST(CameraPriorTest, AllowsAFewSigmas) {
   EXPECT_FALSE(prior.PassesChiSquareTest(Eigen::Vector3d(0, 0.06, 0.09)));
 }
 
-TEST(CameraPriorTest, OfWhatIsNotKnownEverythingIsAllowed) {
+TEST(CameraPriorTest, ChiSquareTestIgnoresParametersWithoutASigma) {
   EXPECT_TRUE(Prior({{"cx"}}).PassesChiSquareTest(Eigen::VectorXd::Constant(1, 1e6)));
   EXPECT_FALSE(Prior({{"cx"}, {"k1", 0.1}}).PassesChiSquareTest(Eigen::Vector2d(0, 0.4)));
 }
 
-TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDistortion) {
+TEST(CameraPriorTest, DefaultPriorOfAPinholeCameraFreesFocalLengthAndRadialDistortion) {
   const CalibrationOptions options;
   CameraParameters given = test::PinholeCamera().parameters();
   EXPECT_EQ(
@@ -67,7 +67,7 @@ TEST(CameraPriorTest, WhereNothingIsSaidAPinholeCameraHasAFocalLengthAndRadialDi
   EXPECT_EQ(MakePrior(given, options).num_free(), 0);
 }
 
-TEST(CameraPriorTest, BesideMoreInformationItIsWorthLess) {
+TEST(CameraPriorTest, InflatedPriorHasLessWeight) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.02}}};
   const CameraPrior beside = prior.Inflated(4);
   EXPECT_EQ(beside.given, prior.given);
@@ -86,28 +86,28 @@ TEST(CameraPriorTest, SigmasInPixelsAreResizedWithTheImages) {
             (std::vector<FreeParameter>{{"focal", 0.01}, {"cx", 1}, {"cy", 0.75}, {"k1", 0.1}}));
 }
 
-TEST(CameraPriorTest, ThePosteriorIsKnownAsItsCovarianceSays) {
+TEST(CameraPriorTest, PosteriorHasTheSigmasOfItsCovariance) {
   const CameraPrior prior = Prior({{"focal", 0.01}, {"k1", 0.2}});
   const Eigen::Matrix2d covariance = Eigen::Vector2d(0.005 * 0.005, 0.1 * 0.1).asDiagonal();
   EXPECT_EQ(Posterior(prior.free, covariance),
             (std::vector<FreeParameter>{{"focal", 0.005}, {"k1", 0.1}}));
   EXPECT_DOUBLE_EQ(InformationGain(prior.free[0], 0.005), 0.75);
-  EXPECT_EQ(InformationGain({"cx"}, 3), 1) << "nothing was known before";
+  EXPECT_EQ(InformationGain({"cx"}, 3), 1) << "the prior has no sigma";
 }
 
-TEST(CameraPriorTest, OfFocalTheValueIsFx) {
+TEST(CameraPriorTest, ValueOfFocalIsFx) {
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.fy = 510;
   EXPECT_EQ(ValueOf(camera, "focal"), camera.fx);
   EXPECT_EQ(ValueOf(camera, "fy"), 510);
 }
 
-TEST(CameraPriorTest, NamesWhatMayBeFree) {
+TEST(CameraPriorTest, FreeParameterNamesAreThoseOfTheModel) {
   EXPECT_THAT(FreeParameterNames(CameraModel::kFov),
               testing::ElementsAre("focal", "fx", "fy", "cx", "cy", "omega"));
 }
 
-TEST(CameraPriorTest, RefusesWhatTheModelDoesNotHave) {
+TEST(CameraPriorTest, ValidateRejectsInvalidFreeParameters) {
   const auto validate = [](std::vector<FreeParameter> free) {
     return [free] { Prior(free).Validate(); };
   };

@@ -39,7 +39,8 @@ CameraParameters WithDistortion(double k1, double k2, double p1, double p2, doub
   return parameters;
 }
 
-/// None, barrel, pincushion, two published calibrations, one that turns over inside the image.
+/// Returns cameras without distortion, with barrel and pincushion distortion, with a distortion
+/// that turns over inside the image, and with two published calibrations.
 std::vector<Camera> Cameras() {
   std::vector<Camera> cameras = {Camera(Pinhole()), Camera(WithDistortion(-0.2, 0, 0, 0, 0)),
                                  Camera(WithDistortion(0.3, 0.1, 1e-3, -2e-3, 0.05)),
@@ -70,7 +71,7 @@ std::vector<Eigen::Vector2d> ImageGrid(const Camera& camera) {
   return pixels;
 }
 
-TEST(CameraTest, PinholeByHand) {
+TEST(CameraTest, PinholeProjectionMatchesHandComputedValues) {
   const Camera camera(Pinhole());
   EXPECT_EQ(camera.Project({2, -1, 4}), Eigen::Vector2d(570, 112.5));
   EXPECT_EQ(camera.Undistort({570, 112.5}), Eigen::Vector2d(0.5, -0.25));
@@ -78,7 +79,7 @@ TEST(CameraTest, PinholeByHand) {
   EXPECT_EQ(camera.max_radius(), std::numeric_limits<double>::infinity());
 }
 
-TEST(CameraTest, DistortionByHand) {
+TEST(CameraTest, DistortionMatchesHandComputedValues) {
   // a = 0.5, b = 0, r² = 0.25: c = 1 + 0.4/4 + 0.32/16 + 0.64/64 = 1.13;
   // u = 500 (0.565 + 0.03 * 0.75) + 320, v = 510 (0.02 * 0.25) + 240.
   const Camera camera(WithDistortion(0.4, 0.32, 0.02, 0.03, 0.64));
@@ -118,7 +119,7 @@ TEST(CameraTest, UndistortInvertsProject) {
   }
 }
 
-TEST(CameraTest, EveryPixelIsMetByItsRayOrHasNone) {
+TEST(CameraTest, EveryRayOfAPixelProjectsBackToIt) {
   for (const Camera& camera : Cameras()) {
     int num_without = 0;
     for (const Eigen::Vector2d& pixel : ImageGrid(camera)) {
@@ -133,7 +134,7 @@ TEST(CameraTest, EveryPixelIsMetByItsRayOrHasNone) {
   }
 }
 
-TEST(CameraTest, JacobianIsTheDerivative) {
+TEST(CameraTest, JacobianMatchesTheNumericDerivative) {
   test::Random random(8);
   for (const Camera& camera : Cameras()) {
     for (int i = 0; i < 50; ++i) {
@@ -147,7 +148,7 @@ TEST(CameraTest, JacobianIsTheDerivative) {
   }
 }
 
-TEST(CameraTest, HasNoPixelBehind) {
+TEST(CameraTest, PointsBehindTheCameraHaveNoPixel) {
   const Camera camera(Pinhole());
   EXPECT_FALSE(camera.Project({0, 0, -1}));
   EXPECT_FALSE(camera.Project({0, 0, 0}));
@@ -173,15 +174,15 @@ TEST(CameraTest, MaxRadiusIsWhereTheRadialPolynomialTurnsOver) {
               1e-14);
   // (r - 2/3 r³ + 1/5 r⁵)' = (1 - r²)² touches 0 at r = 1 but the polynomial never falls.
   EXPECT_GE(Camera(WithDistortion(-2.0 / 3, 0.2, 0, 0, 0)).max_radius(), 1 - 1e-7);
-  // A dip beyond which the polynomial grows again still ends the domain.
-  // Here (1 - 3 r² + 3/2 r⁴ = 0):
+  // A dip beyond which the polynomial grows again still ends the domain:
+  // 1 - 3 r² + 3/2 r⁴ = 0.
   EXPECT_NEAR(Camera(WithDistortion(-1, 0.3, 0, 0, 0)).max_radius(),
               std::sqrt(1 - std::sqrt(1.0 / 3)), 1e-14);
-  // A slope that dips (to 0.1) but stays positive does not.
+  // A slope that dips (to 0.1) but stays positive does not end it.
   EXPECT_TRUE(std::isinf(Camera(WithDistortion(-1, 0.5, 0, 0, 0)).max_radius()));
 }
 
-TEST(CameraTest, SlopeIsPositiveInsideTheDomainAndFallsBeyond) {
+TEST(CameraTest, DistortedRadiusGrowsInsideTheDomainAndFallsBeyond) {
   test::Random random(9);
   for (int i = 0; i < 300; ++i) {
     const Camera camera(
@@ -200,15 +201,15 @@ TEST(CameraTest, SlopeIsPositiveInsideTheDomainAndFallsBeyond) {
   }
 }
 
-TEST(CameraTest, OutsideTheDomainHasNoPixel) {
+TEST(CameraTest, RaysOutsideTheDomainHaveNoPixel) {
   const Camera camera(WithDistortion(-1, 0, 0, 0, 0));
   EXPECT_TRUE(camera.Project({0.57, 0, 1}));
   EXPECT_FALSE(camera.Project({0.58, 0, 1}));
-  EXPECT_TRUE(camera.Undistort({320 + 500 * 0.384, 240}));   // The most that r - r³ reaches is
+  EXPECT_TRUE(camera.Undistort({320 + 500 * 0.384, 240}));   // The maximum of r - r³ is
   EXPECT_FALSE(camera.Undistort({320 + 500 * 0.386, 240}));  // 2/3^1.5 = 0.3849.
 }
 
-TEST(CameraTest, ContainsTheImagesArea) {
+TEST(CameraTest, ContainsIsTrueOnTheAreaOfTheImage) {
   const Camera camera(Pinhole());
   EXPECT_TRUE(camera.Contains({-0.5, -0.5}));
   EXPECT_TRUE(camera.Contains({639.49, 479.49}));
@@ -230,7 +231,7 @@ TEST(CameraTest, RejectsParametersOutOfRange) {
   EXPECT_THAT([&] { Camera{parameters}; }, ThrowsError("camera.k3 is nan"));
 }
 
-TEST(CameraTest, MakeGivesNoCameraWhereTheConstructorThrows) {
+TEST(CameraTest, MakeReturnsNulloptIfTheConstructorThrows) {
   CameraParameters parameters = Pinhole();
   EXPECT_EQ(Camera::Make(parameters), Camera(parameters));
   parameters.fx = std::numeric_limits<double>::quiet_NaN();

@@ -12,7 +12,8 @@ namespace {
 
 const Eigen::Vector3d kPoint(0.6, -0.4, 2);
 
-/// By focal, k1 and k2, of a point seen at (x/z, y/z) and at `pixel`.
+/// Returns the derivative with respect to focal, k1 and k2 of the projection `pixel` of a point
+/// with normalized coordinates (x/z, y/z).
 Eigen::Matrix<double, 2, 3> AnalyticDerivative(const CameraParameters& camera,
                                                const Eigen::Vector2d& normalized,
                                                const Eigen::Vector2d& pixel) {
@@ -23,7 +24,7 @@ Eigen::Matrix<double, 2, 3> AnalyticDerivative(const CameraParameters& camera,
   return derivative;
 }
 
-TEST(DifferentiableCameraTest, ItsDerivativeIsTheAnalyticOne) {
+TEST(DifferentiableCameraTest, DerivativeMatchesTheAnalyticOne) {
   CameraParameters given = test::PinholeCamera().parameters();
   given.k1 = -0.1;
   given.k2 = 0.05;
@@ -36,7 +37,7 @@ TEST(DifferentiableCameraTest, ItsDerivativeIsTheAnalyticOne) {
           AnalyticDerivative(camera.camera().parameters(), kPoint.hnormalized(), pixel), 1e-5));
 }
 
-TEST(DifferentiableCameraTest, EveryDerivativeIsTheNumericOne) {
+TEST(DifferentiableCameraTest, EveryDerivativeMatchesTheNumericOne) {
   CameraParameters given = test::PinholeCamera().parameters();
   given.k1 = -0.1;
   given.p2 = 0.01;
@@ -59,7 +60,7 @@ TEST(DifferentiableCameraTest, EveryDerivativeIsTheNumericOne) {
   }
 }
 
-TEST(DifferentiableCameraTest, ThePrincipalPointMovesTheImageAndAFocalLengthOneAxis) {
+TEST(DifferentiableCameraTest, PrincipalPointShiftsTheImageAndFyScalesOneAxis) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"cx"}, {"cy"}, {"fy"}}};
   const DifferentiableCamera camera(prior, Eigen::Vector3d::Zero());
   Eigen::Matrix<double, 2, 3> expected;
@@ -68,7 +69,7 @@ TEST(DifferentiableCameraTest, ThePrincipalPointMovesTheImageAndAFocalLengthOneA
               test::IsMatrixNear(expected, 1e-7));
 }
 
-TEST(DifferentiableCameraTest, AtTheEndOfARangeItLooksInside) {
+TEST(DifferentiableCameraTest, AtARangeLimitTheDerivativeIsTakenInward) {
   CameraParameters given = test::PinholeCamera().parameters();
   given.model = CameraModel::kFov;
   given.omega = 3;
@@ -81,7 +82,7 @@ TEST(DifferentiableCameraTest, AtTheEndOfARangeItLooksInside) {
   EXPECT_THAT(derivative(3), test::IsMatrixNear(derivative(2.9999), 0.1));
 }
 
-TEST(DifferentiableCameraTest, RefusesWhatIsNoCamera) {
+TEST(DifferentiableCameraTest, RejectsADifferenceThatGivesAnInvalidCamera) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"fx"}}};
   EXPECT_THAT([&] { DifferentiableCamera(prior, Eigen::VectorXd::Constant(1, -600)); },
               test::ThrowsError("camera.fx", "-100"));

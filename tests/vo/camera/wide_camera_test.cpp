@@ -46,8 +46,8 @@ CameraParameters Fov(double omega) {
   return parameters;
 }
 
-/// The fisheye of TUM-VI, the lens of TUM-mono, two made up ones each, the last of kb4 with a
-/// polynomial that turns over inside the image.
+/// Returns three kb4 cameras (the TUM-VI fisheye, an invented one, and one whose polynomial turns
+/// over inside the image) and three fov cameras (the TUM-mono lens and two invented ones).
 std::vector<Camera> WideCameras() {
   return {Camera(Kb4(0.0034823894022493434, 0.0007150348452162257, -0.0020532361418706202,
                      0.00020293673591811182)),
@@ -58,7 +58,7 @@ std::vector<Camera> WideCameras() {
           Camera(Fov(1.9))};
 }
 
-/// A random ray inside the camera's domain, evenly over the angle from the axis.
+/// Returns a random ray inside the camera's domain, uniform in the angle from the axis.
 Eigen::Vector2d RandomRay(const Camera& camera, test::Random& random) {
   const double angle = random.Uniform(0, 0.999) * std::atan(camera.max_radius());
   const double direction = random.Uniform(0, 2 * std::numbers::pi);
@@ -92,7 +92,7 @@ TEST(Kb4CameraTest, WithoutCoefficientsPixelsAreProportionalToTheAngle) {
   }
 }
 
-TEST(FovCameraTest, ByHand) {
+TEST(FovCameraTest, ProjectionMatchesHandComputedValues) {
   // omega = pi/2: tan(omega/2) = 1. At r = sqrt(3)/2, atan(2 r) = pi/3, so r_d = 2/3.
   const Camera camera(Fov(std::numbers::pi / 2));
   EXPECT_THAT(*camera.Project({0.5 * std::sqrt(3.0), 0, 1}),
@@ -125,13 +125,13 @@ TEST(WideCameraTest, UndistortInvertsProject) {
       ASSERT_TRUE(pixel) << ray.transpose();
       const auto back = camera.Undistort(*pixel);
       ASSERT_TRUE(back) << ray.transpose();
-      // A pixel is exact to 1e-13 px, which is more of a ray where the model flattens.
+      // Pixels are exact to 1e-13 px, which is a larger ray error where the model flattens.
       EXPECT_THAT(*back, IsMatrixNear(ray, 1e-10 / std::min(1.0, camera.FocalAt(ray) / 100)));
     }
   }
 }
 
-TEST(WideCameraTest, EveryPixelIsMetByItsRayOrHasNone) {
+TEST(WideCameraTest, EveryRayOfAPixelProjectsBackToIt) {
   for (const Camera& camera : WideCameras()) {
     int num_met = 0;
     for (int y = 0; y < 512; y += 7) {
@@ -147,7 +147,7 @@ TEST(WideCameraTest, EveryPixelIsMetByItsRayOrHasNone) {
   }
 }
 
-TEST(WideCameraTest, TheFisheyeOfTumViSeesAllButTheCorners) {
+TEST(WideCameraTest, TumViFisheyeCoversAllButTheCorners) {
   const Camera camera = WideCameras().front();
   for (const Eigen::Vector2d& pixel :
        {Eigen::Vector2d(0, 257), {511, 257}, {255, 0}, {255, 511}, {90, 60}}) {
@@ -158,11 +158,11 @@ TEST(WideCameraTest, TheFisheyeOfTumViSeesAllButTheCorners) {
   }
 }
 
-TEST(WideCameraTest, JacobianIsTheDerivative) {
+TEST(WideCameraTest, JacobianMatchesTheNumericDerivative) {
   test::Random random(4);
   for (const Camera& camera : WideCameras()) {
     for (int i = 0; i < 100; ++i) {
-      // Close to the end of the domain the numeric derivative would step over it.
+      // Closer to the end of the domain, the numeric derivative would step outside.
       const Eigen::Vector3d point = 3 * (0.98 * RandomRay(camera, random)).homogeneous();
       Camera::Jacobian analytic;
       ASSERT_TRUE(camera.Project(point, &analytic));
@@ -173,7 +173,7 @@ TEST(WideCameraTest, JacobianIsTheDerivative) {
   }
 }
 
-TEST(WideCameraTest, OnTheAxisTheScaleIsThatOfTheModel) {
+TEST(WideCameraTest, JacobianOnTheAxisIsTheScaleOfTheModel) {
   Camera::Jacobian jacobian;
   EXPECT_EQ(Camera(Kb4(0.1, 0, 0, 0)).Project({0, 0, 2}, &jacobian), Eigen::Vector2d(255, 257));
   EXPECT_THAT(jacobian,
@@ -188,7 +188,7 @@ TEST(WideCameraTest, OnTheAxisTheScaleIsThatOfTheModel) {
   EXPECT_EQ(Camera(Kb4(0.1, 0, 0, 0)).Undistort({255, 257}), Eigen::Vector2d(0, 0));
 }
 
-TEST(WideCameraTest, EndsAtEightyDegrees) {
+TEST(WideCameraTest, DomainEndsAtEightyDegrees) {
   for (const Camera& camera : {Camera(Kb4(0, 0, 0, 0)), Camera(Fov(0.9))}) {
     EXPECT_DOUBLE_EQ(camera.max_radius(), std::tan(80 * std::numbers::pi / 180));
     EXPECT_TRUE(camera.Project({5.67, 0, 1}));
@@ -202,7 +202,7 @@ TEST(WideCameraTest, EndsAtEightyDegrees) {
   }
 }
 
-TEST(WideCameraTest, EndsWhereThePolynomialTurnsOver) {
+TEST(WideCameraTest, DomainEndsWhereThePolynomialTurnsOver) {
   // (theta - 0.3 theta³)' = 0 at theta² = 1/0.9.
   const double end = std::sqrt(1 / 0.9);
   EXPECT_NEAR(Camera(Kb4(-0.3, 0, 0, 0)).max_radius(), std::tan(end), 1e-12);
@@ -212,7 +212,7 @@ TEST(WideCameraTest, EndsWhereThePolynomialTurnsOver) {
   // (theta - theta³ + 0.3 theta⁵)' = 1 - 3 s + 1.5 s² = 0 at s = 1 - sqrt(1/3).
   EXPECT_NEAR(Camera(Kb4(-1, 0.3, 0, 0)).max_radius(), std::tan(std::sqrt(1 - std::sqrt(1.0 / 3))),
               1e-12);
-  // A slope that stays positive leaves the whole domain: 1 - 3 s + 2.5 s².
+  // A slope that stays positive does not limit the domain: 1 - 3 s + 2.5 s².
   EXPECT_DOUBLE_EQ(Camera(Kb4(-1, 0.5, 0, 0)).max_radius(), std::tan(kMaxAngle));
 }
 
@@ -231,7 +231,7 @@ TEST(WideCameraTest, DistortedRadiusGrowsInsideTheDomain) {
   }
 }
 
-TEST(WideCameraTest, FocalAtIsThatOfThePixelNoise) {
+TEST(WideCameraTest, FocalAtRelatesPixelNoiseToRayNoise) {
   const CameraParameters pinhole = Square(CameraModel::kPinhole);
   EXPECT_EQ(Camera(pinhole).FocalAt({0.4, -3}), Camera(pinhole).focal());
   // kb4 without coefficients at angle t from the axis: dr/dt = 1/cos² along the radius, r/t across.
@@ -244,7 +244,7 @@ TEST(WideCameraTest, FocalAtIsThatOfThePixelNoise) {
   EXPECT_NEAR(Camera(parameters).FocalAt({0, 0}), 190, 1e-10);
 }
 
-TEST(CameraModelTest, NamesAreReadBack) {
+TEST(CameraModelTest, NamesRoundTrip) {
   for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kKb4, CameraModel::kFov}) {
     EXPECT_EQ(ParseCameraModel(ToString(model)), model);
   }

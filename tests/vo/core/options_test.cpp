@@ -16,7 +16,7 @@ namespace {
 
 using test::ThrowsError;
 
-/// Puts every number, one after the other, just outside its range and expects Validate() to say so.
+/// Sets every number in turn just outside its range and expects Validate() to name it.
 struct RangeBreaker {
   OdometryOptions& options;
   std::string section;

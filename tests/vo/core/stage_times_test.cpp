@@ -13,7 +13,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void Sleep() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
 
-TEST(StageClockTest, NestedStageStopsTheOuterOne) {
+TEST(StageClockTest, NestedStagePausesTheOuterOne) {
   StageClock clock;
   const auto start = std::chrono::steady_clock::now();
   {
@@ -33,7 +33,7 @@ TEST(StageClockTest, NestedStageStopsTheOuterOne) {
   EXPECT_LE(times.locate_ms + times.map_ms, elapsed.count());
 }
 
-TEST(StageClockTest, StagesAddUpUntilReset) {
+TEST(StageClockTest, TimesAccumulateUntilReset) {
   StageClock clock;
   for (int i = 0; i < 2; ++i) {
     const StageClock::Scope scope(clock, &StageTimes::adjust_ms);

@@ -16,7 +16,7 @@ FrameResult MakeFrame(TimeNs time_ns, bool posed) {
   return frame;
 }
 
-TEST(TrajectoryTest, PosedFramesLeavesOutTheOthers) {
+TEST(TrajectoryTest, PosedFramesLeavesOutFramesWithoutAPose) {
   const Trajectory trajectory{
       {MakeFrame(10, false), MakeFrame(20, true), MakeFrame(30, false), MakeFrame(40, true)}};
   const PoseSequence poses = trajectory.PosedFrames();
@@ -27,12 +27,12 @@ TEST(TrajectoryTest, PosedFramesLeavesOutTheOthers) {
   EXPECT_EQ(trajectory.PosedShare(), 0.5);
 }
 
-TEST(TrajectoryTest, EmptyHasNothingPosed) {
+TEST(TrajectoryTest, EmptyTrajectoryHasNoPosedFrames) {
   EXPECT_TRUE(Trajectory().PosedFrames().empty());
   EXPECT_EQ(Trajectory().PosedShare(), 0);
 }
 
-TEST(FrameResultTest, StatesAndReasonsHaveNamesOfTheirOwn) {
+TEST(FrameResultTest, StatesAndReasonsHaveUniqueNames) {
   EXPECT_EQ(ToString(State::kTracking), "tracking");
   EXPECT_EQ(ToString(Reason::kLowParallax), "low_parallax");
   std::set<std::string_view> names;
@@ -55,7 +55,7 @@ TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
             SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
 }
 
-TEST(TrajectoryTest, RotationsAreThoseOfUnposedFramesToo) {
+TEST(TrajectoryTest, RotationsIncludeFramesWithoutAPose) {
   Trajectory trajectory;
   trajectory.frames = {MakeFrame(10, false), MakeFrame(20, false), MakeFrame(30, true)};
   const SO3 rotation = SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3));

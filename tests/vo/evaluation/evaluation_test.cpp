@@ -31,7 +31,7 @@ PoseSequence Stamped(const std::vector<TimeNs>& times_ns) {
   return poses;
 }
 
-/// A pair a second, of poses given as functions of the index.
+/// Makes one pair per second from poses given as functions of the index.
 std::vector<PosePair> MakePairs(int count, const std::function<SE3(int)>& estimate,
                                 const std::function<SE3(int)>& truth) {
   std::vector<PosePair> pairs;
@@ -39,7 +39,7 @@ std::vector<PosePair> MakePairs(int count, const std::function<SE3(int)>& estima
   return pairs;
 }
 
-/// Random true poses, and estimates that truth_from_estimate moves onto them.
+/// Makes random true poses, and estimates that truth_from_estimate maps onto them.
 std::vector<PosePair> MakeMovedPairs(const Sim3& truth_from_estimate, test::Random& random) {
   const Sim3 estimate_from_truth = truth_from_estimate.Inverse();
   std::vector<PosePair> pairs;
@@ -57,7 +57,7 @@ TEST(HalfFrameTest, IsHalfTheMedianStep) {
   EXPECT_EQ(HalfFrame({}), kSecond / 50);
 }
 
-TEST(AssociateTest, TakesTheNearestWithinTheLimit) {
+TEST(AssociateTest, MatchesTheNearestPoseWithinTheLimit) {
   const auto pairs = Associate(Stamped({100, 205, 300}), Stamped({90, 104, 195, 210, 311}), 10);
   ASSERT_EQ(pairs.size(), 2);
   EXPECT_EQ(pairs[0].time_ns, 100);
@@ -72,19 +72,19 @@ TEST(AssociateTest, TheLimitIsIncluded) {
   EXPECT_EQ(Associate(Stamped({100}), Stamped({100}), 0).size(), 1);
 }
 
-TEST(AssociateTest, OfTwoEquallyNearTakesTheEarlier) {
+TEST(AssociateTest, MatchesTheEarlierOfTwoEquallyNearPoses) {
   const auto pairs = Associate(Stamped({100}), Stamped({95, 105}), 10);
   ASSERT_EQ(pairs.size(), 1);
   EXPECT_EQ(pairs[0].truth_from_camera, At(95e-9));
 }
 
-TEST(AssociateTest, UsesEachTruthOnceForTheNearestEstimate) {
+TEST(AssociateTest, MatchesEachTruePoseOnlyToTheNearestEstimate) {
   const auto pairs = Associate(Stamped({96, 99, 101, 108}), Stamped({100}), 10);
   ASSERT_EQ(pairs.size(), 1);
   EXPECT_EQ(pairs[0].time_ns, 99);
 }
 
-TEST(AssociateTest, NothingMeetsNothing) {
+TEST(AssociateTest, EmptySequencesHaveNoPairs) {
   EXPECT_TRUE(Associate({}, Stamped({1}), 10).empty());
   EXPECT_TRUE(Associate(Stamped({1}), {}, 10).empty());
 }
@@ -95,8 +95,9 @@ TEST(AssociateTest, KeepsNanosecondsOfLargeTimes) {
   EXPECT_EQ(Associate(Stamped({time_ns}), Stamped({time_ns + 1}), 1).size(), 1);
 }
 
-TEST(AlignTest, ByHand) {
-  // The truth is turned by a quarter about z, doubled, and moved by (10, 0, 5).
+TEST(AlignTest, RecoversAKnownSimilarity) {
+  // The ground truth is the estimate rotated by 90 degrees about z, scaled by 2 and translated by
+  // (10, 0, 5).
   const std::vector<PosePair> pairs = {{0, At(0, 0, 0), At(10, 0, 5)},
                                        {1, At(1, 0, 0), At(10, 2, 5)},
                                        {2, At(0, 1, 0), At(8, 0, 5)}};
@@ -125,14 +126,14 @@ TEST(AlignTest, NeverMirrors) {
     for (PosePair& pair : pairs) {
       Eigen::Vector3d mirrored = pair.truth_from_camera.translation();
       mirrored.x() *= -1;
-      if (i % 2 == 0) mirrored.z() = 0;  // A plane, which a rotation can mirror.
+      if (i % 2 == 0) mirrored.z() = 0;  // A rotation can mirror a plane.
       pair.estimate_from_camera = SE3(SO3(), mirrored);
     }
     EXPECT_NEAR(Align(pairs, Alignment::kSim3).rotation().matrix().determinant(), 1, 1e-12);
   }
 }
 
-TEST(AlignTest, IsTheBestOfItsKind) {
+TEST(AlignTest, MinimizesTheRmseAmongTransformsOfItsKind) {
   test::Random random(23);
   std::vector<PosePair> pairs = MakeMovedPairs(Sim3(), random);
   for (PosePair& pair : pairs) {
@@ -154,21 +155,21 @@ TEST(AlignTest, IsTheBestOfItsKind) {
   }
 }
 
-TEST(AlignTest, ScaleAloneIsThatOfTheSimilarity) {
+TEST(AlignTest, ScaleOnlyAlignmentFindsTheScaleOfTheSimilarity) {
   test::Random random(24);
   const Sim3 truth_from_estimate(3, random.Rotation(), random.Vector<3>(10));
   const Sim3 scale = Align(MakeMovedPairs(truth_from_estimate, random), Alignment::kScale);
   EXPECT_THAT(scale, IsSimilarityNear(Sim3(3, SO3(), Eigen::Vector3d::Zero()), 0.0, 0.0, 1e-12));
 }
 
-TEST(AlignTest, PositionsOnALineLeaveNoError) {
+TEST(AlignTest, AlignsCollinearPositionsWithoutError) {
   const auto pairs = MakePairs(
       10, [](int i) { return At(i, 2 * i, 0); }, [](int i) { return At(5, 0, 3 * i); });
   const auto aligned = MoveEstimates(Align(pairs, Alignment::kSim3), pairs);
   EXPECT_LT(Summarize(PositionErrors(aligned)).max, 1e-12);
 }
 
-TEST(AlignTest, RejectsWhatCannotBeAligned) {
+TEST(AlignTest, RejectsTooFewPairsAndCoincidentPositions) {
   const auto moving = [](int i) { return At(i, i * i, 0); };
   const auto still = [](int) { return At(1, 2, 3); };
   for (const Alignment alignment : {Alignment::kSim3, Alignment::kSe3, Alignment::kScale}) {
@@ -189,7 +190,7 @@ TEST(AlignmentTest, NamesRoundTrip) {
   EXPECT_THAT([] { ParseAlignment("sim4"); }, ThrowsError("sim4", "sim3, se3, scale or none"));
 }
 
-TEST(SummarizeTest, ByHand) {
+TEST(SummarizeTest, ComputesStatisticsOfKnownErrors) {
   const ErrorStatistics even = Summarize({4, 3});
   EXPECT_EQ(even.count, 2);
   EXPECT_EQ(even.rmse, std::sqrt(12.5));
@@ -199,13 +200,13 @@ TEST(SummarizeTest, ByHand) {
   EXPECT_EQ(Summarize({9, 1, 2}).median, 2);
 }
 
-TEST(SummarizeTest, NothingHasNoMean) {
+TEST(SummarizeTest, StatisticsOfNoErrorsAreNan) {
   EXPECT_EQ(Summarize({}).count, 0);
   EXPECT_TRUE(std::isnan(Summarize({}).rmse));
   EXPECT_TRUE(std::isnan(Summarize({}).max));
 }
 
-TEST(RelativeErrorTest, OfTooLongSteps) {
+TEST(RelativeErrorTest, MeasuresStepsThatAreTooLong) {
   const auto pairs = MakePairs(
       11, [](int i) { return At(1.1 * i); }, [](int i) { return At(i); });
   const RelativeError one = RelativeErrorOverFrames(pairs, 1);
@@ -218,33 +219,34 @@ TEST(RelativeErrorTest, OfTooLongSteps) {
   EXPECT_THAT([&] { RelativeErrorOverFrames(pairs, 0); }, ThrowsError("delta is 0"));
 }
 
-TEST(RelativeErrorTest, OfATurnThatIsNotThere) {
+TEST(RelativeErrorTest, MeasuresASpuriousRotation) {
   const auto pairs = MakePairs(
       5, [](int i) { return SE3(SO3::Exp(Eigen::Vector3d(0, 0.02 * i, 0)), At(i).translation()); },
       [](int i) { return At(i); });
   EXPECT_NEAR(RelativeErrorOverFrames(pairs, 2).rotation_deg.mean, 0.04 * 180 / kPi, 1e-12);
 }
 
-TEST(RelativeErrorTest, DoesNotDependOnTheWorld) {
+TEST(RelativeErrorTest, DoesNotDependOnTheWorldFrame) {
   test::Random random(25);
   std::vector<PosePair> pairs = MakeMovedPairs(Sim3(random.Pose(3, 10)), random);
   EXPECT_LT(RelativeErrorOverFrames(pairs, 1).translation.max, 1e-12);
   EXPECT_LT(RelativeErrorOverFrames(pairs, 1).rotation_deg.max, 1e-10);
 }
 
-TEST(RelativeErrorTest, OverTimeSkipsGaps) {
+TEST(RelativeErrorTest, ErrorOverTimeSkipsGaps) {
   auto pairs = MakePairs(
       6, [](int i) { return At(1.1 * i); }, [](int i) { return At(i); });
   for (int i = 3; i < 6; ++i) pairs[i].time_ns += 10 * kSecond;
-  const RelativeError two_seconds = RelativeErrorOverTime(pairs, 2 * kSecond);  // 0 to 2, 3 to 5.
+  const RelativeError two_seconds =
+      RelativeErrorOverTime(pairs, 2 * kSecond);  // Pairs 0 to 2, 3 to 5.
   EXPECT_EQ(two_seconds.translation.count, 2);
   EXPECT_NEAR(two_seconds.translation.mean, 0.2, 1e-14);
   EXPECT_EQ(RelativeErrorOverTime(pairs, 1).translation.count, 0);
   EXPECT_THAT([&] { RelativeErrorOverTime(pairs, 0); }, ThrowsError("delta_ns is 0"));
 }
 
-TEST(RelativeErrorTest, OverPathsOneAfterTheOther) {
-  // 10 steps of 1 m: stretches of 2.5 m end after 3 steps, where the next begins.
+TEST(RelativeErrorTest, ErrorOverPathUsesConsecutiveStretches) {
+  // The path has 10 steps of 1 m: each stretch of 2.5 m ends after 3 steps, where the next begins.
   const auto pairs = MakePairs(
       11, [](int i) { return At(1.1 * i); }, [](int i) { return At(i); });
   const RelativeError error = RelativeErrorOverPath(pairs, 2.5);
@@ -256,9 +258,10 @@ TEST(RelativeErrorTest, OverPathsOneAfterTheOther) {
   EXPECT_THAT([&] { RelativeErrorOverPath(pairs, 0); }, ThrowsError("delta is 0"));
 }
 
-TEST(KittiDriftTest, OfAScaleError) {
-  // 300 m in steps of 1 m: stretches of 100 m start at 0, 10 ... 190 and are 101 steps long (the
-  // first pair beyond 100 m ends them), those of 200 m at 0, 10 ... 90, 201 steps long.
+TEST(KittiDriftTest, MeasuresAScaleError) {
+  // The path has 300 m in steps of 1 m. Stretches of 100 m start at 0, 10 ... 190 and have 101
+  // steps (the first pair beyond 100 m ends them); those of 200 m start at 0, 10 ... 90 and have
+  // 201 steps.
   const auto pairs = MakePairs(
       301, [](int i) { return At(0, 0, 1.02 * i); }, [](int i) { return At(0, 0, i); });
   const auto drift = ComputeKittiDrift(pairs);
@@ -273,7 +276,7 @@ TEST(KittiDriftTest, OfAScaleError) {
   EXPECT_NEAR(drift->r_rel_deg_per_100m, 0, 1e-10);
 }
 
-TEST(KittiDriftTest, OfATurningError) {
+TEST(KittiDriftTest, MeasuresARotationError) {
   const double step = 0.01 * kPi / 180;
   const auto pairs = MakePairs(
       150,
@@ -282,10 +285,10 @@ TEST(KittiDriftTest, OfATurningError) {
   EXPECT_NEAR(ComputeKittiDrift(pairs)->r_rel_deg_per_100m, 1.01, 1e-10);
 }
 
-TEST(KittiDriftTest, TakesEveryLengthFromEveryTenthFrame) {
-  // 1000 m in steps of 2 m, of 501 poses. A stretch of L m ends at the first pose further than L
-  // along the path, L / 2 + 1 steps on; so it starts at frames 0, 10 ... up to 500 - L / 2 - 1. The
-  // estimate turns by a fixed angle and goes 3% too far in each step.
+TEST(KittiDriftTest, EvaluatesEveryLengthFromEveryTenthFrame) {
+  // The path has 1000 m in steps of 2 m, 501 poses. A stretch of L m ends at the first pose more
+  // than L m along the path, L / 2 + 1 steps later, so stretches start at frames 0, 10 ... up to
+  // 500 - L / 2 - 1. The estimate turns by a fixed angle and moves 3% too far in each step.
   const double step_rad = 0.02 * kPi / 180;
   const auto pairs = MakePairs(
       501,
@@ -311,15 +314,15 @@ TEST(KittiDriftTest, TakesEveryLengthFromEveryTenthFrame) {
   EXPECT_NEAR(drift->r_rel_deg_per_100m, r_rel / count, 1e-9);
 }
 
-TEST(KittiDriftTest, ShortPathsHaveNone) {
+TEST(KittiDriftTest, PathsOfAtMost100MetersHaveNoDrift) {
   const auto same = [](int i) { return At(i); };
   EXPECT_FALSE(ComputeKittiDrift({}));
-  EXPECT_FALSE(ComputeKittiDrift(MakePairs(101, same, same)));  // No pair beyond 100 m.
+  EXPECT_FALSE(ComputeKittiDrift(MakePairs(101, same, same)));  // No pair is beyond 100 m.
   EXPECT_TRUE(ComputeKittiDrift(MakePairs(102, same, same)));
 }
 
-TEST(ScaleDriftTest, ByHand) {
-  // Steps of 1, 1.1 and 1.2 for a true 1 m over three times 30 m.
+TEST(ScaleDriftTest, MeasuresAKnownScaleDrift) {
+  // The estimated steps are 1, 1.1 and 1.2 for a true 1 m, over 30 m each.
   double x = 0;
   const auto pairs = MakePairs(
       91, [&](int i) { return At(i == 0 ? 0 : x += 1 + 0.1 * ((i - 1) / 30)); },
@@ -337,7 +340,7 @@ TEST(ScaleDriftTest, DoesNotDependOnTheScale) {
   EXPECT_NEAR(drift->percent_per_km, 0, 1e-6);
 }
 
-TEST(ScaleDriftTest, NeedsMotion) {
+TEST(ScaleDriftTest, NeedsEnoughPairsAndMotion) {
   const auto moving = [](int i) { return At(i); };
   const auto still = [](int) { return At(1); };
   EXPECT_FALSE(ComputeScaleDrift(MakePairs(5, moving, moving)));
@@ -346,7 +349,7 @@ TEST(ScaleDriftTest, NeedsMotion) {
   EXPECT_TRUE(ComputeScaleDrift(MakePairs(9, moving, moving)));
 }
 
-TEST(CoverageTest, IsTheShareOfTruthNearAnEstimate) {
+TEST(CoverageTest, IsTheShareOfTruePosesNearAnEstimate) {
   const PoseSequence truth = Stamped({0, 10, 20, 30});
   EXPECT_EQ(Coverage(Stamped({1, 11}), truth, 2), 0.5);
   EXPECT_EQ(Coverage(truth, truth, 0), 1);
@@ -360,7 +363,7 @@ TEST(PathLengthTest, SumsTheSteps) {
   EXPECT_EQ(PathLength({{0, At(0, 0)}, {1, At(3, 4)}, {2, At(3, 4)}, {3, At(0, 4)}}), 8);
 }
 
-TEST(EvaluateTest, MeasuresAnEstimateOfAnotherScaleAndWorld) {
+TEST(EvaluateTest, AlignsAnEstimateOfAnotherScaleAndWorldFrame) {
   test::Random random(26);
   const Sim3 estimate_from_truth(0.1, random.Rotation(), random.Vector<3>(5));
   PoseSequence truth, estimate;
@@ -384,7 +387,7 @@ TEST(EvaluateTest, MeasuresAnEstimateOfAnotherScaleAndWorld) {
   EXPECT_GT(evaluation.truth_path_length, 29);
 }
 
-TEST(EvaluateTest, SaysWhereNoTimesMeet) {
+TEST(EvaluateTest, ThrowsIfNoTimestampsMatch) {
   EXPECT_THAT(
       [] {
         Evaluate(Stamped({0, kSecond / 2, kSecond}), Stamped({2 * kSecond, 3 * kSecond}));
@@ -392,7 +395,7 @@ TEST(EvaluateTest, SaysWhereNoTimesMeet) {
       ThrowsError("no pose of 3 lies within 0.25 s of one of the truth's 2"));
 }
 
-TEST(EvaluateTest, RealTruthAgainstItselfIsFreeOfError) {
+TEST(EvaluateTest, RealGroundTruthHasNoErrorAgainstItself) {
   CORVO_REQUIRE_DATA("kitti/poses/03.txt");
   const PoseSequence truth =
       WithTimes(ReadKittiPoses(test::DataPath("kitti/poses/03.txt")),

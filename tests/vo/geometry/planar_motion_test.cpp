@@ -22,7 +22,8 @@ Eigen::Matrix3d HomographyOf(const SE3& second_from_first, const Plane& plane) {
          second_from_first.translation() * plane.normal.transpose() / plane.distance;
 }
 
-/// Rays that fill a view of 65 by 51 degrees, and those they meet in the second view.
+/// Returns rays that fill a field of view of 65 by 51 degrees, matched with the rays to which the
+/// homography maps them.
 std::vector<RayMatch> MatchesOf(const Eigen::Matrix3d& homography) {
   std::vector<RayMatch> matches;
   for (int y = -5; y <= 5; ++y) {
@@ -42,7 +43,7 @@ std::vector<PlanarMotion> Decompose(const Eigen::Matrix3d& homography) {
   return DecomposeHomography(homography, matches, std::vector<char>(matches.size(), 1));
 }
 
-/// Whether one of the motions is the truth, in units of the plane's distance.
+/// Returns whether one of the motions is the true one, in units of the plane's distance.
 bool HasTruth(const std::vector<PlanarMotion>& motions, const SE3& truth, const Plane& plane) {
   for (const PlanarMotion& motion : motions) {
     const Eigen::Vector3d t = truth.translation() / plane.distance;
@@ -57,7 +58,7 @@ bool HasTruth(const std::vector<PlanarMotion>& motions, const SE3& truth, const 
 
 class DecomposeHomographyTest : public ::testing::TestWithParam<Eigen::Vector3d> {};
 
-TEST_P(DecomposeHomographyTest, TheTruthIsAmongTheMotionsWhateverTheScaleAndSign) {
+TEST_P(DecomposeHomographyTest, TrueMotionIsFoundForAnyScaleAndSignOfTheHomography) {
   const SE3 truth(SO3::Exp({0.02, 0.1, -0.05}), GetParam());
   const Plane plane{Eigen::Vector3d(-0.3, 0.1, 1).normalized(), 4};
   const Eigen::Matrix3d homography = HomographyOf(truth, plane);
@@ -74,24 +75,24 @@ INSTANTIATE_TEST_SUITE_P(Directions, DecomposeHomographyTest,
                                            Eigen::Vector3d(0.1, 0.1, 1.2),
                                            Eigen::Vector3d(0.4, -0.2, -0.5)));
 
-TEST(PlanarMotionTest, MovingSidewaysOnlyTheTruthLiesInFront) {
+TEST(PlanarMotionTest, SidewaysMotionHasOneSolutionInFrontOfTheCameras) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   EXPECT_EQ(Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall)).size(), 1u);
 }
 
-TEST(PlanarMotionTest, MovingAlongTheNormalBothAreOne) {
+TEST(PlanarMotionTest, MotionAlongTheNormalHasOneSolution) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   EXPECT_EQ(Decompose(HomographyOf(SE3(SO3(), {0, 0, 0.5}), wall)).size(), 1u);
 }
 
-TEST(PlanarMotionTest, ARotationShowsNoPlane) {
+TEST(PlanarMotionTest, PureRotationHasNoSolution) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   EXPECT_TRUE(Decompose(HomographyOf(SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0}), wall)).empty());
 }
 
 constexpr double kMaxAngleDeg = 15;
 
-TEST(PlaneHypothesesTest, TheTwinIsRecognizedWhenTheMotionChangesDirection) {
+TEST(PlaneHypothesesTest, TwinSolutionIsRejectedWhenTheMotionChangesDirection) {
   const Plane plane{Eigen::Vector3d(0.3, 0, 1).normalized(), 3};
   const SE3 first_step(SO3::Exp({0, 0.05, 0}), {0.1, 0, 0.6});
   const SE3 second_step(SO3::Exp({0, 0.05, 0.1}), {-0.3, 0.3, 0.8});
@@ -99,14 +100,14 @@ TEST(PlaneHypothesesTest, TheTwinIsRecognizedWhenTheMotionChangesDirection) {
   ASSERT_EQ(first.size(), 2u);
   PlaneHypotheses planes;
   EXPECT_TRUE(planes.Keep(0, first, kMaxAngleDeg).empty());
-  EXPECT_EQ(planes.Keep(0, first, kMaxAngleDeg).size(), 2u);  // Nothing new: still ambiguous.
+  EXPECT_EQ(planes.Keep(0, first, kMaxAngleDeg).size(), 2u);  // The same motions: still ambiguous.
   const std::vector<PlanarMotion> kept =
       planes.Keep(0, Decompose(HomographyOf(second_step, plane)), kMaxAngleDeg);
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_TRUE(HasTruth(kept, second_step, plane));
 }
 
-TEST(PlaneHypothesesTest, ANewReferenceStartsAgain) {
+TEST(PlaneHypothesesTest, ANewReferenceDiscardsEarlierHypotheses) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   const std::vector<PlanarMotion> motions = Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall));
   PlaneHypotheses planes;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kFocal = 500;
 
-/// Rays of the scene's points in two views, noise of `sigma_px`; every `wrong_every`-th is wrong.
+/// Returns matched rays of random points in two views, with uniform noise of up to `sigma_px` in x
+/// and y; every `wrong_every`-th match is wrong (0: none).
 std::vector<RayMatch> MatchViews(const SE3& first_from_second, double sigma_px, int wrong_every,
                                  std::uint64_t seed) {
   test::Random random(seed);
@@ -30,13 +31,13 @@ std::vector<RayMatch> MatchViews(const SE3& first_from_second, double sigma_px, 
   return matches;
 }
 
-TEST(RotationEstimatorTest, IsFoundAmongWrongMatches) {
+TEST(RotationEstimatorTest, FindsTheRotationDespiteWrongMatches) {
   const SO3 first_from_second = SO3::Exp({0.1, -0.2, 0.3});
   const auto matches = MatchViews(SE3(first_from_second, {0, 0, 0}), 0.1, 3, 6);
   EXPECT_THAT(EstimateRotation(matches), test::IsRotationNear(first_from_second.Inverse(), 0.1));
 }
 
-TEST(RotationEstimatorTest, ParallaxIsTheAngleThatTheRotationLeaves) {
+TEST(RotationEstimatorTest, ParallaxIsTheAngleRemainingAfterTheRotation) {
   RayMatch match;
   match.first = {0, 0};
   match.second = {1, 0};
@@ -52,8 +53,8 @@ TEST(RotationEstimatorTest, RefinementKeepsAPureRotation) {
               test::IsRotationNear(first_from_second.Inverse(), 0.3));
 }
 
-// A camera turned by hand turns about the wrist, not about itself.
-TEST(RotationEstimatorTest, RefinementTakesNoTranslationForRotation) {
+// A hand-held camera rotates about the wrist, not about its own center.
+TEST(RotationEstimatorTest, RefinementDoesNotMistakeTranslationForRotation) {
   const SO3 first_from_second = SO3::Exp({0, 0.3, 0});
   const Eigen::Vector3d wrist_in_camera(0, 0, -0.5);
   const SE3 truth(first_from_second, wrist_in_camera - first_from_second * wrist_in_camera);
@@ -66,8 +67,8 @@ TEST(RotationEstimatorTest, RefinementTakesNoTranslationForRotation) {
   EXPECT_LT(error(RefineRotation(matches, coarse)), 0.2 * error(coarse));
 }
 
-// In a narrow view of much the same depth, a turn and a move aside look alike.
-TEST(RotationEstimatorTest, RefinementStaysNearWhereTheLinesTellLittle) {
+// In a narrow field of view at similar depths, a rotation and a sideways translation look alike.
+TEST(RotationEstimatorTest, RefinementIsStableInANarrowFieldOfView) {
   const SO3 first_from_second = SO3::Exp({0.01, 0.1, 0});
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::vector<RayMatch> matches = MatchViews(SE3(first_from_second, {0, 0, 0}), 1, 0, seed);

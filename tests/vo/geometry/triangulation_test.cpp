@@ -26,12 +26,13 @@ TEST(TriangulationTest, RecoversExactPoints) {
   }
 }
 
-/// Squared distance of a point's image from a ray, ray units.
+/// Returns the squared distance of a point's projection from a ray, in normalized image
+/// coordinates.
 double SquaredMiss(const Eigen::Vector3d& in_world, const PosedRay& ray) {
   return ((ray.world_from_camera.Inverse() * in_world).hnormalized() - ray.ray).squaredNorm();
 }
 
-TEST(TriangulationTest, NoPointNearbyIsNearerToRaysThatMissEachOther) {
+TEST(TriangulationTest, NoisyRaysGiveAMinimumOfTheReprojectionError) {
   test::Random random(2);
   for (int i = 0; i < 100; ++i) {
     PosedRay a, b;
@@ -55,21 +56,21 @@ TEST(TriangulationTest, ParallelRaysHaveNoPoint) {
   EXPECT_FALSE(Triangulate({SE3(), {0.1, 0.2}}, {moved, {0.1, 0.2}}));
 }
 
-TEST(TriangulationTest, DivergingRaysMeetBehind) {
+TEST(TriangulationTest, DivergingRaysMeetBehindTheCameras) {
   const SE3 moved(SO3(), Eigen::Vector3d(1, 0, 0));
   const auto point = Triangulate({SE3(), {-0.1, 0}}, {moved, {0.1, 0}});
   ASSERT_TRUE(point);
   EXPECT_THAT(*point, test::IsMatrixNear(Eigen::Vector3d(0.5, 0, -5), 1e-9));
 }
 
-TEST(TriangulationTest, ParallaxByHand) {
+TEST(TriangulationTest, ParallaxMatchesHandComputedAngles) {
   const SE3 left(SO3(), Eigen::Vector3d(-1, 0, 0)), right(SO3(), Eigen::Vector3d(1, 0, 0));
   EXPECT_NEAR(ParallaxAngle({0, 0, 1}, left, right), std::numbers::pi / 2, 1e-12);
   EXPECT_NEAR(ParallaxAngle({0, 0, 1e6}, left, right), 2e-6, 1e-12);
   EXPECT_EQ(ParallaxAngle({0, 0, 1}, left, left), 0);
 }
 
-TEST(TriangulationTest, TheAngleBetweenRaysIsTheParallaxWhereTheyMeet) {
+TEST(TriangulationTest, RayAngleIsTheParallaxOfTheIntersection) {
   test::Random random(3);
   for (int i = 0; i < 20; ++i) {
     const Eigen::Vector3d point = random.Vector<3>(0.5) + Eigen::Vector3d(0, 0, 5);

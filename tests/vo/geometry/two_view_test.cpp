@@ -12,8 +12,8 @@
 namespace corvo {
 namespace {
 
-/// Rays of the scene's points in two views, noise of `sigma_px` at f = 500 px; every
-/// `wrong_every`-th match is wrong.
+/// Returns matched rays of the scene's points in two views, with uniform noise of up to `sigma_px`
+/// in x and y at f = 500 px; every `wrong_every`-th match is wrong (0: none).
 std::vector<RayMatch> MatchViews(const test::PointScene& scene, const SE3& first_from_second,
                                  double sigma_px, int wrong_every, test::Random& random) {
   constexpr double kFocal = 500;
@@ -38,7 +38,7 @@ double DirectionErrorDeg(const SE3& estimate, const SE3& truth) {
 
 class TwoViewMotionTest : public ::testing::TestWithParam<Eigen::Vector3d> {};
 
-TEST_P(TwoViewMotionTest, IsFoundAmongWrongMatches) {
+TEST_P(TwoViewMotionTest, FindsTheMotionDespiteWrongMatches) {
   test::Random random(1);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
   const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), GetParam());
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Directions, TwoViewMotionTest,
                                            Eigen::Vector3d(0, 0, 1.2),
                                            Eigen::Vector3d(0.4, -0.2, -0.5)));
 
-TEST(TwoViewTest, PureRotationIsSaid) {
+TEST(TwoViewTest, PureRotationIsReported) {
   test::Random random(2);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
   const SE3 truth(SO3::Exp({0.02, 0.15, -0.03}), Eigen::Vector3d::Zero());
@@ -74,7 +74,7 @@ TEST(TwoViewTest, PureRotationIsSaid) {
   EXPECT_THAT(*result.first_from_second_rotation, test::IsRotationNear(truth.rotation(), 0.1));
 }
 
-TEST(TwoViewTest, FewMatchesTellARotationButNoMotion) {
+TEST(TwoViewTest, FewMatchesSufficeForARotationButNotForATranslation) {
   test::Random random(8);
   const test::PointScene scene = test::MakeBoxScene(60, 3, 15, random);
   const SO3 turned = SO3::Exp({0.02, 0.15, -0.03});
@@ -90,7 +90,7 @@ TEST(TwoViewTest, FewMatchesTellARotationButNoMotion) {
   EXPECT_EQ(moved.reason, Reason::kTooFewMatches) << ToString(moved.reason);
 }
 
-TEST(TwoViewTest, ARotationIsJudgedByTheParallaxItLeaves) {
+TEST(TwoViewTest, PureRotationIsDetectedByTheRemainingParallax) {
   test::Random random(9);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
   const SO3 turned = SO3::Exp({0.02, 0.15, -0.03});
@@ -104,7 +104,7 @@ TEST(TwoViewTest, ARotationIsJudgedByTheParallaxItLeaves) {
   }
 }
 
-TEST(TwoViewTest, StandingStillIsSaid) {
+TEST(TwoViewTest, AStaticCameraIsReportedAsLowParallax) {
   test::Random random(3);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
   const TwoViewResult result =
@@ -112,7 +112,7 @@ TEST(TwoViewTest, StandingStillIsSaid) {
   EXPECT_EQ(result.reason, Reason::kLowParallax) << ToString(result.reason);
 }
 
-TEST(TwoViewTest, PlaneIsSaid) {
+TEST(TwoViewTest, APlanarSceneIsReported) {
   test::Random random(4);
   const test::PointScene scene = test::MakePlaneScene(400, 6, random);
   const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.8, 0.1, 0));
@@ -144,7 +144,7 @@ TEST(TwoViewTest, UnrelatedViewsHaveNoMotion) {
       Reason::kNone);
 }
 
-TEST(TwoViewTest, ScoresAreHighestForTheTruth) {
+TEST(TwoViewTest, ScoresAreHighestForTheTrueModels) {
   test::Random random(7);
   const test::PointScene scene = test::MakePlaneScene(100, 5, random);
   const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), Eigen::Vector3d(0.5, 0.1, 0.2));
@@ -152,7 +152,7 @@ TEST(TwoViewTest, ScoresAreHighestForTheTruth) {
   const SE3 second_from_first = truth.Inverse();
   const Eigen::Matrix3d essential =
       SO3::Hat(second_from_first.translation()) * second_from_first.rotation().matrix();
-  // The plane n·x = d of MakePlaneScene: z - 0.3 x = 5. H = R + t nᵀ / d.
+  // MakePlaneScene() has the plane n·x = d: z - 0.3 x = 5. H = R + t nᵀ / d.
   const Eigen::Matrix3d homography =
       second_from_first.rotation().matrix() +
       second_from_first.translation() * Eigen::RowVector3d(-0.3, 0, 1) / 5;

@@ -26,7 +26,7 @@ class OptionsFileTest : public ::testing::Test {
   test::TemporaryDir dir_;
 };
 
-TEST_F(OptionsFileTest, KeysLeftOutKeepTheirDefaults) {
+TEST_F(OptionsFileTest, OmittedKeysKeepTheirDefaults) {
   const OdometryOptions options = Read(
       "extractor:\n  num_features: 1234\n  scale_factor: 1.5\n  grid: false\n  ranking: harris\n");
   EXPECT_EQ(options.extractor.num_features, 1234);
@@ -36,14 +36,14 @@ TEST_F(OptionsFileTest, KeysLeftOutKeepTheirDefaults) {
   EXPECT_EQ(options.extractor.num_levels, OdometryOptions().extractor.num_levels);
 }
 
-TEST_F(OptionsFileTest, EmptyFilesAndSectionsAreTheDefaults) {
+TEST_F(OptionsFileTest, EmptyFilesAndSectionsGiveTheDefaults) {
   const std::string defaults = WriteOptions({});
   EXPECT_EQ(WriteOptions(Read("")), defaults);
   EXPECT_EQ(WriteOptions(Read("# nothing\n")), defaults);
   EXPECT_EQ(WriteOptions(Read("extractor:\ninitializer:\n")), defaults);
 }
 
-TEST_F(OptionsFileTest, WholeNumbersAreNumbers) {
+TEST_F(OptionsFileTest, WholeNumbersAreAcceptedAsRealNumbers) {
   EXPECT_EQ(Read("extractor: {scale_factor: 2}").extractor.scale_factor, 2);
 }
 
@@ -62,7 +62,7 @@ TEST_F(OptionsFileTest, WrittenOptionsReadBackTheSame) {
   EXPECT_NE(text, WriteOptions({}));
 }
 
-TEST_F(OptionsFileTest, PatternsAreNamesOrFiles) {
+TEST_F(OptionsFileTest, PatternsAreGivenByNameOrFile) {
   const std::string file =
       dir_.Write("123 # no comment: a pattern", orb::PatternText(orb::MakeBriefPattern(1)))
           .string();
@@ -93,7 +93,7 @@ TEST_F(OptionsFileTest, UnknownKeysAreNamedWithTheNearestKnown) {
               ThrowsError("a.yaml:2: ", "unknown key extracter", "is extractor"));
 }
 
-TEST_F(OptionsFileTest, KeysThatMovedAreAnsweredByTheirNewNames) {
+TEST_F(OptionsFileTest, ErrorsOfRenamedKeysGiveTheirNewNames) {
   EXPECT_THAT([&] { Read("tracker:\n  max_distance: 80\n"); },
               ThrowsError("a.yaml:2: the key tracker.max_distance is now "
                           "matching.max_tracking_distance"));
@@ -136,7 +136,7 @@ TEST_F(OptionsFileTest, ValuesOutOfRangeAreErrors) {
               ThrowsError("a.yaml: extractor.min_fast_threshold is 11"));
 }
 
-TEST_F(OptionsFileTest, FilesThatAreNoMappingAreErrors) {
+TEST_F(OptionsFileTest, FilesThatAreNotMappingsAreErrors) {
   EXPECT_THAT([&] { Read("- a\n- b\n"); }, ThrowsError("a.yaml", "key: value"));
   EXPECT_THAT([&] { Read("extractor: 5\n"); }, ThrowsError("a.yaml:1: extractor", "key: value"));
   EXPECT_THAT([&] { Read("extractor:\n  [unclosed\n"); }, ThrowsError("a.yaml:"));
@@ -147,7 +147,7 @@ TEST_F(OptionsFileTest, FilesThatAreNoMappingAreErrors) {
   EXPECT_THAT([&] { ReadOptions(dir_.path()); }, ThrowsError(dir_.path().string()));
 }
 
-TEST(DefaultConfigTest, IsWhatTheDefaultsWrite) {
+TEST(DefaultConfigTest, EqualsTheWrittenDefaults) {
   EXPECT_EQ(test::ReadFile(test::SourceDir() / "configs" / "default.yaml"), WriteOptions({}))
       << "regenerate configs/default.yaml: corvo config > configs/default.yaml";
 }
@@ -166,7 +166,7 @@ class CameraFileTest : public ::testing::Test {
   test::TemporaryDir dir_;
 };
 
-TEST_F(CameraFileTest, DistortionFrameRateAndSourceMayBeLeftOut) {
+TEST_F(CameraFileTest, DistortionFrameRateAndSourceAreOptional) {
   const CameraFile file = Read(kCamera);
   EXPECT_EQ(file.camera.width(), 640);
   EXPECT_EQ(file.camera.fy(), 510.5);
@@ -198,7 +198,7 @@ TEST_F(CameraFileTest, WrittenCamerasReadBackTheSame) {
   }
 }
 
-TEST_F(CameraFileTest, SigmasSayWhatIsNotKnownExactly) {
+TEST_F(CameraFileTest, SigmasDefineTheCameraPrior) {
   const CameraFile file = Read(std::string(kCamera) + "sigma: {k2: 0.02, focal: 0.003, cx: 1.5}\n");
   EXPECT_EQ(file.sigma, (std::vector<FreeParameter>{{"focal", 0.003}, {"cx", 1.5}, {"k2", 0.02}}));
   EXPECT_EQ(file.Prior({}), (CameraPrior{file.camera.parameters(), *file.sigma}));
@@ -224,7 +224,7 @@ TEST_F(CameraFileTest, WrongSigmasAreErrors) {
               ThrowsError("cam.yaml:8: unknown key sigma.omega"));
 }
 
-TEST_F(CameraFileTest, EveryNeededKeyIsMissedByName) {
+TEST_F(CameraFileTest, MissingRequiredKeysAreNamed) {
   for (const std::string key : {"model", "width", "height", "fx", "fy", "cx", "cy"}) {
     std::string text = kCamera;
     const std::size_t begin = text.find(key + ":");
@@ -275,7 +275,7 @@ CameraFile Shipped(const std::string& name) {
   return ReadCameraFile(test::SourceDir() / "configs" / (name + ".yaml"));
 }
 
-TEST(ShippedCamerasTest, ReadAndSeeTheirWholeImage) {
+TEST(ShippedCamerasTest, CoverTheImageUpToItsEdges) {
   for (const char* name : {"7scenes", "euroc", "kitti_00-02", "kitti_03", "kitti_04-12", "tum_fr1",
                            "tum_fr2", "tum_fr3", "tum_mono", "tumvi"}) {
     const CameraFile file = Shipped(name);
@@ -289,14 +289,14 @@ TEST(ShippedCamerasTest, ReadAndSeeTheirWholeImage) {
   }
 }
 
-TEST(ShippedCamerasTest, HaveThePublishedNumbers) {
+TEST(ShippedCamerasTest, HaveThePublishedParameters) {
   EXPECT_EQ(Shipped("tum_fr1").camera.fx(), 517.306408);
   EXPECT_EQ(Shipped("tum_fr1").camera.parameters().k3, 1.163314);
   EXPECT_EQ(Shipped("tum_fr1").frame_rate_hz, 30);
   EXPECT_EQ(Shipped("7scenes").camera.fx(), 585);
   EXPECT_EQ(Shipped("tumvi").camera.parameters().model, CameraModel::kKb4);
   EXPECT_EQ(Shipped("tumvi").camera.parameters().k4, 0.00020293673591811182);
-  // camera.txt has them in units of the image: 0.535719308086809 0.669566858850269 ...
+  // camera.txt gives the values in units of the image size: 0.535719308086809 0.669566858850269 ...
   const Camera tum_mono = Shipped("tum_mono").camera;
   EXPECT_EQ(tum_mono.parameters().model, CameraModel::kFov);
   EXPECT_DOUBLE_EQ(tum_mono.fx(), 1280 * 0.535719308086809);

@@ -24,7 +24,7 @@ TEST(ParseSeconds, ReadsExponents) {
   EXPECT_EQ(ParseSeconds("1E3", ""), 1000000000000);
 }
 
-TEST(ParseSeconds, RoundsBeyondNanoseconds) {
+TEST(ParseSeconds, RoundsToNanoseconds) {
   EXPECT_EQ(ParseSeconds("0.0000000014", ""), 1);
   EXPECT_EQ(ParseSeconds("0.0000000015", ""), 2);
   EXPECT_EQ(ParseSeconds("1e-12", ""), 0);
@@ -35,7 +35,7 @@ TEST(ParseSeconds, ReadsSigns) {
   EXPECT_EQ(ParseSeconds("+.5", ""), 500000000);
 }
 
-TEST(ParseSeconds, RejectsWhatIsNoTime) {
+TEST(ParseSeconds, RejectsInvalidTimes) {
   for (const char* text : {"", "abc", "1.2.3", "1e", "1e999", "nan", "inf", "0x10", "1 2", "-",
                            "99999999999999999999"}) {
     EXPECT_THAT([&] { ParseSeconds(text, "times.txt:7: "); },

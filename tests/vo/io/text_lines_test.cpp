@@ -12,7 +12,7 @@ namespace {
 using test::ThrowsError;
 using ::testing::ElementsAre;
 
-TEST(TextLinesTest, LeavesOutBlankLinesAndCommentsAndCountsThem) {
+TEST(TextLinesTest, SkipsBlankLinesAndCommentsButCountsThem) {
   const test::TemporaryDir dir;
   const auto lines = ReadTextLines(dir.Write("a.txt", "# comment\n\n  one 1\r\n\t# more\ntwo"));
   ASSERT_EQ(lines.size(), 2);

@@ -27,7 +27,7 @@ PoseSequence RandomPoses() {
   return poses;
 }
 
-TEST(TumTest, ReadsByHand) {
+TEST(TumTest, ReadsAKnownFile) {
   const test::TemporaryDir dir;
   const auto file = dir.Write("a.tum",
                               "# timestamp tx ty tz qx qy qz qw\n"
@@ -43,7 +43,7 @@ TEST(TumTest, ReadsByHand) {
               IsMatrixNear(Eigen::Vector4d(0, 0.6, 0, 0.8), 1e-15));
 }
 
-TEST(TumTest, WritesByHand) {
+TEST(TumTest, WritesTheExpectedText) {
   const test::TemporaryDir dir;
   WriteTum(dir.path() / "a.tum", {{1403636579763555584, SE3(SO3(), Eigen::Vector3d(1, -0.5, 0))}});
   EXPECT_EQ(test::ReadFile(dir.path() / "a.tum"),
@@ -51,7 +51,7 @@ TEST(TumTest, WritesByHand) {
             "1403636579.763555584 1 -0.5 0 0 0 0 1\n");
 }
 
-TEST(TumTest, RoundTripIsExactButForNormalization) {
+TEST(TumTest, RoundTripIsExactUpToNormalization) {
   const test::TemporaryDir dir;
   const PoseSequence poses = RandomPoses();
   WriteTum(dir.path() / "a.tum", poses);
@@ -64,13 +64,13 @@ TEST(TumTest, RoundTripIsExactButForNormalization) {
   }
 }
 
-TEST(TumTest, EmptyRoundTrips) {
+TEST(TumTest, EmptyTrajectoryRoundTrips) {
   const test::TemporaryDir dir;
   WriteTum(dir.path() / "a.tum", {});
   EXPECT_TRUE(ReadTum(dir.path() / "a.tum").empty());
 }
 
-TEST(TumTest, NormalisesNearlyUnitQuaternionsOnly) {
+TEST(TumTest, NormalizesNearlyUnitQuaternionsOnly) {
   const test::TemporaryDir dir;
   const PoseSequence poses = ReadTum(dir.Write("a.tum", "1 0 0 0 0 0 0 1.009\n"));
   EXPECT_EQ(poses[0].world_from_camera, SE3());
@@ -104,7 +104,7 @@ TEST(TumTest, NamesTheFileThatCannotBeWritten) {
               ThrowsError("no_folder/a.tum", "written"));
 }
 
-TEST(KittiTest, RowsAreRotationBesideTranslation) {
+TEST(KittiTest, RowsHoldRotationAndTranslation) {
   const test::TemporaryDir dir;
   const auto poses = ReadKittiPoses(dir.Write("a.txt", "0 -1 0 10 1 0 0 20 0 0 1 30\n"));
   ASSERT_EQ(poses.size(), 1);
@@ -140,7 +140,7 @@ TEST(KittiTest, ErrorsNameFileLineAndValue) {
               ThrowsError("t.txt:1: ", "2 fields"));
 }
 
-TEST(KittiTest, TimesAndPosesMustBeAsMany) {
+TEST(KittiTest, NumbersOfTimesAndPosesMustBeEqual) {
   EXPECT_THAT([] { WithTimes({SE3(), SE3()}, {1}); }, ThrowsError("2 poses, but 1 times"));
   const PoseSequence poses = WithTimes({SE3(), SE3(SO3(), Eigen::Vector3d(1, 2, 3))}, {5, 7});
   EXPECT_EQ(poses[1].time_ns, 7);
@@ -173,7 +173,7 @@ TEST(EurocTest, RoundTrips) {
   }
 }
 
-TEST(TumTest, WithGapsLeavesOutWhatIsNoNumber) {
+TEST(TumTest, ReadTumWithGapsSkipsNanPoses) {
   const test::TemporaryDir dir;
   const auto file = dir.Write("a.txt",
                               "1 0 0 0 0 0 0 1\n2 NaN NaN NaN NaN NaN NaN NaN\n"
@@ -184,7 +184,7 @@ TEST(TumTest, WithGapsLeavesOutWhatIsNoNumber) {
   EXPECT_THAT([&] { ReadTumWithGaps(dir.Write("b.txt", "1 0 0\n")); }, ThrowsError("b.txt:1: 3"));
 }
 
-TEST(TrajectoryDataTest, TruthOfTheDatasetsReads) {
+TEST(TrajectoryDataTest, GroundTruthOfTheDatasetsIsReadable) {
   CORVO_REQUIRE_DATA("kitti/poses/03.txt");
   const auto kitti = WithTimes(ReadKittiPoses(test::DataPath("kitti/poses/03.txt")),
                                ReadKittiTimes(test::DataPath("kitti/sequences/03/times.txt")));

@@ -6,13 +6,13 @@
 
 #include "tests/support/random.h"
 
-// The tangents on which the laws of the Lie groups are tested.
+// Tangent vectors on which the laws of the Lie groups are tested.
 namespace corvo::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// Rotation vectors where formulas break: none, tiny, around the switch of series and closed form,
-/// near π and π itself, along axes and askew; and 100 random ones.
+/// Returns rotation vectors at which formulas tend to break: zero, tiny, around the switch between
+/// series and closed form, near π and π itself, along the axes and askew; and 100 random ones.
 inline std::vector<Eigen::Vector3d> AwkwardRotations() {
   const std::vector<double> angles = {
       0,      1e-300, 1e-12,     1e-9, 1e-8, 1e-7,       1e-5,       1e-3,        0.2999, 0.3,
@@ -30,7 +30,7 @@ inline std::vector<Eigen::Vector3d> AwkwardRotations() {
   return rotations;
 }
 
-/// AwkwardRotations with translations from none to 1e6.
+/// Returns AwkwardRotations() with translations of length 0 to 1e6.
 inline std::vector<SE3::Tangent> AwkwardMotions() {
   const double lengths[] = {0, 1e-9, 1, 100, 1e6};
   Random random(2);

@@ -13,12 +13,12 @@ namespace {
 using corvo::SE3;
 using corvo::SE3Manifold;
 
-TEST(SE3ManifoldTest, Sizes) {
+TEST(SE3ManifoldTest, HasAmbientSize7AndTangentSize6) {
   EXPECT_EQ(SE3Manifold().AmbientSize(), 7);
   EXPECT_EQ(SE3Manifold().TangentSize(), 6);
 }
 
-TEST(SE3ManifoldTest, InvariantsOfCeresHold) {
+TEST(SE3ManifoldTest, CeresManifoldInvariantsHold) {
   const SE3Manifold manifold;
   corvo::test::Random random(3);
   for (const SE3::Tangent& motion : corvo::test::AwkwardMotions()) {
@@ -41,7 +41,7 @@ TEST(SE3ManifoldTest, PlusPerturbsOnTheRight) {
   EXPECT_EQ(SE3::FromData(sum.data()), pose * SE3::Exp(delta));
 }
 
-TEST(SE3ManifoldTest, ToleratesAQuaternionOffUnitNorm) {
+TEST(SE3ManifoldTest, ToleratesAQuaternionOfNearlyUnitNorm) {
   const SE3Manifold manifold;
   corvo::test::Random random(5);
   for (int i = 0; i < 100; ++i) {

@@ -22,7 +22,7 @@ using test::ThrowsError;
 
 constexpr double kTinyDeg = 1e-12;
 
-/// Rounding of a motion's translation.
+/// Returns the tolerance for rounding errors of a motion's translation.
 double Rounding(const SE3::Tangent& motion) {
   return 1e-14 * std::max(1.0, motion.head<3>().norm());
 }
@@ -55,7 +55,7 @@ TEST(SE3Test, LogInvertsExp) {
 
 TEST(SE3Test, ExpIsTheMatrixExponential) {
   for (const SE3::Tangent& motion : AwkwardMotions()) {
-    if (motion.head<3>().norm() > 1e3) continue;  // Where Eigen's exp() loses digits.
+    if (motion.head<3>().norm() > 1e3) continue;  // Eigen's exp() loses digits here.
     Eigen::Matrix4d hat = Eigen::Matrix4d::Zero();
     hat.topLeftCorner<3, 3>() = SO3::Hat(motion.tail<3>());
     hat.topRightCorner<3, 1>() = motion.head<3>();
@@ -63,7 +63,7 @@ TEST(SE3Test, ExpIsTheMatrixExponential) {
   }
 }
 
-TEST(SE3Test, GroupLaws) {
+TEST(SE3Test, GroupLawsHold) {
   const Eigen::Vector3d point(3, -1, 2);
   const SE3 fixed = SE3::Exp((SE3::Tangent() << 1, 2, 3, 0.3, -2, 0.7).finished());
   for (const SE3::Tangent& motion : AwkwardMotions()) {
@@ -76,7 +76,7 @@ TEST(SE3Test, GroupLaws) {
   }
 }
 
-TEST(SE3Test, APowerIsTheSameMotionFurther) {
+TEST(SE3Test, PowersRepeatTheMotion) {
   const SE3 motion = SE3::Exp({0.3, -0.2, 1, 0.4, 0.1, -0.3});
   EXPECT_THAT(motion.Power(0), IsPoseNear(SE3(), kTinyDeg, 1e-14));
   EXPECT_THAT(motion.Power(3), IsPoseNear(motion * motion * motion, kTinyDeg, 1e-13));

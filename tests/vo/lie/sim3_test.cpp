@@ -23,7 +23,7 @@ using test::ThrowsError;
 
 constexpr double kTinyDeg = 1e-12;
 
-/// Awkward motions with scales from 1/50 to 50, the identity's among them.
+/// Returns AwkwardMotions() with scales from 1/50 to 50, including 1.
 std::vector<Sim3::Tangent> AwkwardSimilarities() {
   const double sigmas[] = {0, 1e-12, -1e-6, 0.01, -0.3, 1, std::log(50), -std::log(50)};
   std::vector<Sim3::Tangent> tangents;
@@ -56,7 +56,7 @@ TEST(Sim3Test, ScaleOneIsRigid) {
 
 TEST(Sim3Test, ExpIsTheMatrixExponential) {
   for (const Sim3::Tangent& tangent : AwkwardSimilarities()) {
-    if (tangent.head<3>().norm() > 1e3) continue;  // Where Eigen's exp() loses digits.
+    if (tangent.head<3>().norm() > 1e3) continue;  // Eigen's exp() loses digits here.
     Eigen::Matrix4d hat = Eigen::Matrix4d::Zero();
     hat.topLeftCorner<3, 3>() =
         SO3::Hat(tangent.segment<3>(3)) + tangent(6) * Eigen::Matrix3d::Identity();
@@ -76,7 +76,7 @@ TEST(Sim3Test, LogInvertsExp) {
   }
 }
 
-TEST(Sim3Test, GroupLaws) {
+TEST(Sim3Test, GroupLawsHold) {
   const Eigen::Vector3d point(3, -1, 2);
   const Sim3 fixed = Sim3::Exp((Sim3::Tangent() << 1, 2, 3, 0.3, -2, 0.7, 0.4).finished());
   for (const Sim3::Tangent& tangent : AwkwardSimilarities()) {
@@ -112,7 +112,7 @@ TEST(Sim3Test, TransformsPosesByTheirOriginAndAxes) {
   EXPECT_THAT(b_from_c * (3 * point_in_c), IsMatrixNear(b_from_a * (a_from_c * point_in_c), 1e-13));
 }
 
-TEST(Sim3Test, OfARigidTransformActsAlike) {
+TEST(Sim3Test, RigidSimilarityTransformsPosesLikeSE3) {
   const SE3 rigid(SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3)), Eigen::Vector3d(1, 2, 3));
   const SE3 pose(SO3::Exp(Eigen::Vector3d(-1, 0.5, 0)), Eigen::Vector3d(4, 5, -6));
   EXPECT_THAT(TransformPose(Sim3(rigid), pose), IsPoseNear(rigid * pose, kTinyDeg, 1e-14));

@@ -53,7 +53,7 @@ TEST(SO3Test, LogKeepsRelativePrecisionOfTinyAngles) {
   }
 }
 
-TEST(SO3Test, LogIsSmoothInTheSignOfTheQuaternion) {
+TEST(SO3Test, LogDoesNotDependOnTheSignOfTheQuaternion) {
   for (const Eigen::Vector3d& omega : AwkwardRotations()) {
     if (omega.norm() > kPi - 1e-11) continue;
     Eigen::Quaterniond quaternion = SO3::Exp(omega).quaternion();
@@ -85,7 +85,7 @@ TEST(SO3Test, MatrixRoundTrips) {
   }
 }
 
-TEST(SO3Test, GroupLaws) {
+TEST(SO3Test, GroupLawsHold) {
   const Eigen::Vector3d point(3, -1, 2);
   const SO3 fixed = SO3::Exp(Eigen::Vector3d(0.3, -2, 0.7));
   for (const Eigen::Vector3d& omega : AwkwardRotations()) {
@@ -128,19 +128,19 @@ TEST(SO3Test, LeftJacobianInverseInverts) {
   }
 }
 
-TEST(SO3Test, StaysOfUnitNormUnderManyProducts) {
+TEST(SO3Test, NormStaysOneOverManyProducts) {
   const SO3 step = SO3::Exp(Eigen::Vector3d(0.1, 0.2, -0.15));
   SO3 rotation;
   for (int i = 0; i < 100000; ++i) rotation = rotation * step;
   EXPECT_NEAR(rotation.quaternion().norm(), 1, 1e-15);
 }
 
-TEST(SO3Test, NormalisesQuaternions) {
+TEST(SO3Test, NormalizesQuaternions) {
   const SO3 rotation(Eigen::Quaterniond(0, 0, 3, 4));
   EXPECT_THAT(rotation.quaternion().coeffs(), IsMatrixNear(Eigen::Vector4d(0, 0.6, 0.8, 0), 1e-15));
 }
 
-TEST(SO3Test, RejectsWhatIsNoRotation) {
+TEST(SO3Test, RejectsInvalidRotations) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([] { SO3(Eigen::Quaterniond(0, 0, 0, 0)); }, ThrowsError("norm", "0"));
   EXPECT_THAT([&] { SO3(Eigen::Quaterniond(nan, 0, 0, 1)); }, ThrowsError("norm", "nan"));

@@ -34,7 +34,7 @@ class FrameHistoryTest : public ::testing::Test {
     EXPECT_THAT(history_.PoseOf(frame, map_), test::IsPoseNear(world_from_camera, 1e-9, 1e-9));
   }
 
-  /// Ahead of the first keyframe.
+  /// Returns the pose of the first keyframe moved forward by `distance`.
   SE3 Ahead(double distance) const { return pose_ * SE3(SO3(), {0, 0, distance}); }
 
   const SO3 turn_ = SO3::Exp({0.1, -0.2, 0.05});
@@ -43,7 +43,7 @@ class FrameHistoryTest : public ::testing::Test {
   FrameHistory history_;
 };
 
-TEST_F(FrameHistoryTest, NothingIsKnownOfANewFrame) {
+TEST_F(FrameHistoryTest, ANewFrameHasNeitherPoseNorRotation) {
   const FrameResult result = history_.ResultOf(1, map_);
   EXPECT_FALSE(result.world_from_camera);
   EXPECT_FALSE(result.world_from_camera_rotation);
@@ -59,7 +59,7 @@ TEST_F(FrameHistoryTest, APoseMovesWithTheOnlyKeyframe) {
               test::IsRotationNear(keyframe_from_camera.rotation(), 1e-9));
 }
 
-TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesWithBoth) {
+TEST_F(FrameHistoryTest, APoseBetweenKeyframesMovesWithBoth) {
   history_.SetPose(1, 0, Ahead(1), map_);
   AddKeyframe(4, 0, Ahead(4));
   history_.SetPose(2, 0, Ahead(2), map_);
@@ -72,7 +72,7 @@ TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesWithBoth) {
   ExpectPose(2, Ahead(2.8));
 }
 
-TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
+TEST_F(FrameHistoryTest, APoseBetweenKeyframesMovesRigidlyWithBoth) {
   const SE3 pose = pose_ * SE3::Exp(SE3::Tangent::Constant(0.2));
   history_.SetPose(1, 0, pose, map_);
   AddKeyframe(2, 0, pose_ * SE3::Exp(SE3::Tangent::Constant(0.3)));
@@ -82,14 +82,14 @@ TEST_F(FrameHistoryTest, BetweenKeyframesAPoseMovesRigidlyWithBoth) {
   ExpectPose(1, move * pose);
 }
 
-TEST_F(FrameHistoryTest, WhereTheFirstKeyframeStandsAPoseMovesWithItAlone) {
+TEST_F(FrameHistoryTest, APoseAtTheFirstKeyframeMovesWithItAlone) {
   history_.SetPose(1, 0, pose_, map_);
   AddKeyframe(2, 0, Ahead(4));
   map_.SetPose(1, Ahead(5));
   ExpectPose(1, pose_);
 }
 
-TEST_F(FrameHistoryTest, BeforeTheFirstKeyframeOfASegmentAPoseMovesWithItAlone) {
+TEST_F(FrameHistoryTest, APoseBeforeTheFirstKeyframeOfASegmentMovesWithItAlone) {
   AddKeyframe(4, 1, Ahead(4));
   AddKeyframe(6, 1, Ahead(6));
   history_.SetPose(2, 1, Ahead(2), map_);
@@ -106,7 +106,7 @@ TEST_F(FrameHistoryTest, SegmentsDoNotMoveEachOther) {
   ExpectPose(1, Ahead(1));
 }
 
-TEST_F(FrameHistoryTest, WithoutTheKeyframeBetweenAPoseMovesWithThoseAroundIt) {
+TEST_F(FrameHistoryTest, AfterAKeyframeIsRemovedPosesMoveWithItsNeighbors) {
   history_.SetPose(1, 0, Ahead(1), map_);
   AddKeyframe(2, 0, Ahead(2));
   history_.SetPose(3, 0, Ahead(3), map_);
@@ -138,7 +138,7 @@ TEST_F(FrameHistoryTest, RotationsAreChainedToTheBeginning) {
   EXPECT_THAT(*history_.RotationOf(2, map_), test::IsRotationNear(turn_, 1e-9));
 }
 
-TEST_F(FrameHistoryTest, APoseTakesThePlaceOfARotation) {
+TEST_F(FrameHistoryTest, APoseReplacesARotation) {
   history_.SetRotation(1, 1, turn_);
   history_.SetPose(1, 0, Ahead(1), map_);
   EXPECT_THAT(*history_.ResultOf(1, map_).world_from_camera,
@@ -159,12 +159,12 @@ TEST_F(FrameHistoryTest, AFrameTakesAtMost200Bytes) {
   EXPECT_LE(history_.num_bytes(), 200u * static_cast<std::size_t>(history_.size()));
 }
 
-TEST_F(FrameHistoryTest, ABrokenChainTellsNothing) {
+TEST_F(FrameHistoryTest, ABrokenChainOfRotationsGivesNoRotation) {
   history_.SetRotation(3, 2, turn_);
   EXPECT_FALSE(history_.RotationOf(3, map_));
 }
 
-TEST_F(FrameHistoryTest, FailedAdjustmentStaysInTheAccount) {
+TEST_F(FrameHistoryTest, StatusOfAFailedAdjustmentIsKept) {
   history_.AddAdjustments({AdjustmentStatus::kConverged, AdjustmentStatus::kNone});
   EXPECT_EQ(history_.outcome(7).window_adjustment, AdjustmentStatus::kConverged);
   EXPECT_EQ(history_.outcome(7).camera_adjustment, AdjustmentStatus::kNone);

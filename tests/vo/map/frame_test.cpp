@@ -30,7 +30,7 @@ TEST(FrameTest, KeypointsKeepTheirPixelAndGetARay) {
 
 TEST(FrameTest, KeypointsWithoutARayAreDropped) {
   CameraParameters parameters = test::PinholeCamera().parameters();
-  parameters.k1 = -0.8;  // Rays turn over inside the image's corners.
+  parameters.k1 = -0.8;  // The distortion turns over inside the image corners.
   orb::Features features;
   features.keypoints = {KeypointAt(0, 0), KeypointAt(320, 240)};
   features.descriptors.resize(2);
@@ -42,14 +42,14 @@ TEST(FrameTest, KeypointsWithoutARayAreDropped) {
   EXPECT_EQ(frame.rays.size(), 1u);
 }
 
-TEST(FrameTest, RaysBecomeThoseOfAnotherCamera) {
+TEST(FrameTest, UpdateRaysUsesTheNewCamera) {
   orb::Features features;
   features.keypoints = {KeypointAt(0, 0), KeypointAt(419.5, 139.5)};
   features.descriptors.resize(2);
   Frame frame = MakeFrame(0, 0, features, test::PinholeCamera());
   const Eigen::Vector2d old_corner_ray = frame.rays[0];
   CameraParameters parameters = test::PinholeCamera().parameters();
-  parameters.k1 = -0.8;  // Rays turn over inside the image's corners.
+  parameters.k1 = -0.8;  // The distortion turns over inside the image corners.
   const Camera camera(parameters);
   UpdateRays(camera, frame);
   EXPECT_EQ(frame.camera, parameters);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDepth = 4;
 
-/// An image of a wall at z = kDepth, painted with blobs.
+/// Renders a wall at z = kDepth with a texture of blobs.
 cv::Mat RenderWall(const Camera& camera, const SE3& world_from_camera) {
   cv::Mat image(camera.height(), camera.width(), CV_8UC1);
   const Eigen::Vector3d center = world_from_camera.translation();
@@ -41,14 +41,15 @@ Frame ExtractView(const orb::Extractor& extractor, const Camera& camera, const S
   return frame;
 }
 
-/// Where the wall is seen at a pixel of a frame.
+/// Returns the point of the wall that keypoint `k` of a frame observes.
 Eigen::Vector3d OnWall(const Frame& frame, int k) {
   const Eigen::Vector3d ray = frame.world_from_camera.rotation() * frame.rays[k].homogeneous();
   const Eigen::Vector3d& center = frame.world_from_camera.translation();
   return center + (kDepth - center.z()) / ray.z() * ray;
 }
 
-/// Nearest keypoint of the same octave; kNoId if none is within 2 px of the level.
+/// Returns the nearest keypoint in `octave`, or kNoId if none is within 2 px at the resolution of
+/// the octave.
 int FindKeypoint(const Frame& frame, const Eigen::Vector2d& pixel, int octave, double scale) {
   int nearest = kNoId;
   double least = 2 * scale;
@@ -61,7 +62,7 @@ int FindKeypoint(const Frame& frame, const Eigen::Vector2d& pixel, int octave, d
   return nearest;
 }
 
-TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
+TEST(LandmarkAlignmentTest, AlignmentReducesTheReprojectionError) {
   const Camera camera = test::PinholeCamera();
   const orb::Extractor extractor;
   const std::vector<double>& scales = extractor.octave_scales();
@@ -95,7 +96,7 @@ TEST(LandmarkAlignmentTest, KeypointsComeCloserToWhatTheReferenceSees) {
   EXPECT_LT(std::sqrt(squared_after), 0.25 * std::sqrt(squared_before));
 }
 
-TEST(LandmarkAlignmentTest, TheReferenceStays) {
+TEST(LandmarkAlignmentTest, TheReferenceObservationIsNotMoved) {
   const Camera camera = test::PinholeCamera();
   const orb::Extractor extractor;
   Map map(test::MakeModel());
@@ -106,7 +107,7 @@ TEST(LandmarkAlignmentTest, TheReferenceStays) {
   EXPECT_EQ(map.keyframe(0).frame.pixel(5), map.keyframe(0).frame.detected_pixel(5));
 }
 
-TEST(LandmarkAlignmentTest, WithoutPatchesNothingMoves) {
+TEST(LandmarkAlignmentTest, KeypointsWithoutPatchesAreNotMoved) {
   test::Random random(1);
   const test::PointScene scene = test::MakeBoxScene(50, 3, 8, random);
   const std::vector<test::SceneView> views = {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSigmaPx = 2;
 
-/// Of a point that cameras at the centers see, all of them turned to +z.
+/// Returns the covariance of a landmark at `point` that cameras at `centers` observe, all of them
+/// facing +z.
 Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
                              const std::vector<Eigen::Vector3d>& centers) {
   const Camera camera = test::PinholeCamera();
@@ -33,15 +34,16 @@ Eigen::Matrix3d CovarianceAt(const Eigen::Vector3d& point,
   return LandmarkCovariance(map, *map.FindLandmark(id));
 }
 
-TEST(LandmarkCovarianceTest, AObservationTellsWhatLiesAcrossItsRay) {
-  // σ d / f = 2 * 5 / 500 across; along 10 d = 50. Two observations along one ray halve both.
+TEST(LandmarkCovarianceTest, AnObservationConstrainsThePointAcrossItsRay) {
+  // The standard deviation is σ d / f = 2 * 5 / 500 across the ray and 10 d = 50 along it. Two
+  // observations along one ray halve both variances.
   const Eigen::Matrix3d covariance = CovarianceAt({0, 0, 5}, {{0, 0, 0}, {0, 0, 0}});
   EXPECT_THAT(
       covariance,
       test::IsMatrixNear(Eigen::Vector3d(2e-4, 2e-4, 1250).asDiagonal().toDenseMatrix(), 1e-6));
 }
 
-TEST(LandmarkCovarianceTest, IsTheScatterOfTriangulatedPoints) {
+TEST(LandmarkCovarianceTest, MatchesTheScatterOfTriangulatedPoints) {
   const Eigen::Vector3d point(0.2, -0.1, 6);
   const SE3 left, right(SO3(), {0.5, 0, 0.2});
   const Camera camera = test::PinholeCamera();

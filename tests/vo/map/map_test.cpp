@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::IsNull;
 using ::testing::NotNull;
 
-/// A frame with `num_keypoints` keypoints, descriptor i all ones up to bit i.
+/// Makes a frame with `num_keypoints` keypoints; descriptor i has its first i bits set.
 Frame MakeBareFrame(int num_keypoints, const SE3& world_from_camera = SE3()) {
   orb::Features features;
   for (int i = 0; i < num_keypoints; ++i) {
@@ -33,7 +33,7 @@ Frame MakeBareFrame(int num_keypoints, const SE3& world_from_camera = SE3()) {
   return frame;
 }
 
-/// Links agree both ways.
+/// Expects that the landmarks and the keypoints of the keyframes refer to each other consistently.
 void ExpectConsistent(const Map& map) {
   for (const KeyframeId id : map.ActiveKeyframes()) {
     const Frame& frame = map.keyframe(id).frame;
@@ -66,7 +66,7 @@ class MapTest : public ::testing::Test {
   Map map_{test::MakeModel()};
 };
 
-TEST_F(MapTest, LandmarkAndKeypointsNameEachOther) {
+TEST_F(MapTest, LandmarkAndKeypointsReferToEachOther) {
   const LandmarkId id = map_.AddLandmark({1, 2, 3}, {{2, 4}, {0, 1}});
   EXPECT_EQ(id, 0);
   EXPECT_THAT(map_.FindLandmark(id)->track, ElementsAre(TrackElement{0, 1}, TrackElement{2, 4}));
@@ -74,7 +74,7 @@ TEST_F(MapTest, LandmarkAndKeypointsNameEachOther) {
   EXPECT_EQ(map_.keyframe(2).frame.landmarks[4], id);
 }
 
-TEST_F(MapTest, KeyframeBringsItsLandmarks) {
+TEST_F(MapTest, AddKeyframeExtendsTheTracksOfItsLandmarks) {
   const LandmarkId id = map_.AddLandmark({1, 2, 3}, {{0, 1}, {2, 4}});
   Frame frame = MakeBareFrame(3);
   frame.landmarks[2] = id;
@@ -83,7 +83,7 @@ TEST_F(MapTest, KeyframeBringsItsLandmarks) {
               ElementsAre(TrackElement{0, 1}, TrackElement{2, 4}, TrackElement{keyframe, 2}));
 }
 
-TEST_F(MapTest, LandmarkGoesWithItsSecondLastObservation) {
+TEST_F(MapTest, LandmarkIsRemovedWhenASingleObservationRemains) {
   const LandmarkId id = map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
   map_.RemoveTrackElement(id, 3);
   map_.RemoveTrackElement(id, 1);
@@ -94,7 +94,7 @@ TEST_F(MapTest, LandmarkGoesWithItsSecondLastObservation) {
   EXPECT_EQ(map_.keyframe(2).frame.landmarks[0], kNoId);
 }
 
-TEST_F(MapTest, MergedLandmarkKeepsBothSetsAndResolves) {
+TEST_F(MapTest, MergedLandmarkKeepsBothTracksAndItsIdResolves) {
   const LandmarkId a = map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}});
   const LandmarkId b = map_.AddLandmark({1, 2, 3}, {{1, 1}, {2, 1}});
   const LandmarkId c = map_.AddLandmark({1, 2, 3}, {{2, 2}, {3, 2}});
@@ -106,10 +106,10 @@ TEST_F(MapTest, MergedLandmarkKeepsBothSetsAndResolves) {
   EXPECT_EQ(map_.Resolve(kNoId), kNoId);
   EXPECT_THAT(map_.FindLandmark(a)->track, ElementsAre(TrackElement{0, 0}, TrackElement{1, 0},
                                                        TrackElement{2, 1}, TrackElement{3, 2}));
-  EXPECT_EQ(map_.keyframe(1).frame.landmarks[1], kNoId);  // One keypoint a keyframe.
+  EXPECT_EQ(map_.keyframe(1).frame.landmarks[1], kNoId);  // One keypoint per keyframe.
 }
 
-TEST_F(MapTest, RetiredKeyframesMoveWithTheirAnchors) {
+TEST_F(MapTest, CulledKeyframesMoveWithTheirAnchors) {
   map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
   const SE3 relative = map_.WorldFromKeyframe(2).Inverse() * map_.WorldFromKeyframe(1);
   map_.CullKeyframe(1, 2);
@@ -125,7 +125,7 @@ TEST_F(MapTest, RetiredKeyframesMoveWithTheirAnchors) {
               test::IsPoseNear(moved * second_from_third * relative, 1e-9, 1e-9));
 }
 
-TEST_F(MapTest, ArchivedKeyframesStayWhereTheyWere) {
+TEST_F(MapTest, MarginalizedKeyframesKeepTheirPoses) {
   const SE3 pose = map_.WorldFromKeyframe(1);
   const SE3 retired = map_.WorldFromKeyframe(0);
   map_.AddLandmark({1, 2, 3}, {{0, 0}, {1, 0}, {2, 0}});
@@ -141,7 +141,7 @@ TEST_F(MapTest, ArchivedKeyframesStayWhereTheyWere) {
   EXPECT_EQ(map_.AddKeyframe(MakeBareFrame(1), 0), 4);
 }
 
-TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
+TEST_F(MapTest, LandmarksAreMarginalizedWhenASingleObservationRemains) {
   const LandmarkId both = map_.AddLandmark({1, 2, 3}, {{0, 3}, {1, 3}});
   const LandmarkId longer = map_.AddLandmark({4, 5, 6}, {{0, 1}, {1, 1}, {2, 1}});
   const LandmarkId elsewhere = map_.AddLandmark({7, 8, 9}, {{2, 2}, {3, 2}});
@@ -157,7 +157,7 @@ TEST_F(MapTest, LandmarksFinishWithTheirSecondLastKeyframe) {
               ElementsAre(TrackElement{1, 1}, TrackElement{2, 1}));
   EXPECT_THAT(map_.FindLandmark(elsewhere), NotNull());
   EXPECT_EQ(map_.num_landmarks(), 2);
-  EXPECT_EQ(map_.AddLandmark({1, 2, 3}, {{1, 0}, {2, 0}}), 3);  // Ids are not used again.
+  EXPECT_EQ(map_.AddLandmark({1, 2, 3}, {{1, 0}, {2, 0}}), 3);  // Ids are not reused.
 }
 
 TEST_F(MapTest, OldMergesAreForgotten) {
@@ -172,7 +172,7 @@ TEST_F(MapTest, OldMergesAreForgotten) {
   EXPECT_EQ(map_.Resolve(c), a);
 }
 
-TEST_F(MapTest, WhatLeavesGivesItsMemoryBack) {
+TEST_F(MapTest, MarginalizationReleasesMemory) {
   const std::size_t before = map_.working_set_bytes();
   const KeyframeId first = map_.AddKeyframe(MakeBareFrame(200), 0);
   const KeyframeId second = map_.AddKeyframe(MakeBareFrame(200), 0);
@@ -185,7 +185,7 @@ TEST_F(MapTest, WhatLeavesGivesItsMemoryBack) {
   EXPECT_LE(map_.keyframe_bytes(), 100u * static_cast<std::size_t>(map_.num_keyframes()));
 }
 
-TEST_F(MapTest, CovisibleKeyframesComeMostSharedThenNewestFirst) {
+TEST_F(MapTest, CovisibleKeyframesAreSortedByMostSharedThenNewest) {
   map_.AddLandmark({0, 0, 5}, {{0, 0}, {1, 0}});
   map_.AddLandmark({0, 0, 5}, {{0, 1}, {1, 1}, {2, 1}});
   map_.AddLandmark({0, 0, 5}, {{0, 2}, {3, 2}});
@@ -199,7 +199,7 @@ TEST_F(MapTest, CovisibleKeyframesComeMostSharedThenNewestFirst) {
 }
 
 TEST_F(MapTest, AppearanceIsTheMedoidAndTheMeanDirection) {
-  // Distances, sorted: of descriptor 0: 0 2 3 4, of 2: 0 1 2 2, of 3: 0 1 1 3, of 4: 0 1 2 4.
+  // Sorted distances from descriptor 0: 0 2 3 4, from 2: 0 1 2 2, from 3: 0 1 1 3, from 4: 0 1 2 4.
   const LandmarkId id = map_.AddLandmark({1.5, 0, 10}, {{0, 0}, {1, 2}, {2, 3}, {3, 4}});
   map_.UpdateAppearance(id);
   const Landmark& landmark = *map_.FindLandmark(id);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kEnd = std::numeric_limits<int>::max();
 
-/// A turning path of views, taken with `taken_with`, each `spacing` frames after the one before;
-/// keyframes and landmarks are disturbed.
+/// Makes a map of views along a turning path, taken with the camera `taken_with`, `spacing` frames
+/// apart; the poses of all keyframes but the first are disturbed.
 Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random,
                      int spacing = 5) {
   const test::PointScene scene = test::MakeBoxScene(600, 3, 12, random);
@@ -33,7 +33,8 @@ Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& rand
   return map;
 }
 
-/// As MakeDisturbedMap with 14 views of a camera of this k1, where PinholeCamera has none.
+/// Like MakeDisturbedMap() with 14 views, but the true camera has this k1, while PinholeCamera()
+/// has none.
 Map MakeDistortedMap(double k1, test::Random& random) {
   CameraParameters true_camera = test::PinholeCamera().parameters();
   true_camera.k1 = k1;
@@ -50,7 +51,7 @@ BackgroundAdjuster MakeAdjuster(const OdometryOptions& options) {
   return {MakePrior(test::PinholeCamera().parameters(), options.calibration), options};
 }
 
-TEST(BackgroundAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
+TEST(BackgroundAdjusterTest, TheMapChangesOnlyOnceTheResultIsDue) {
   test::Random random(1);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random, 8);
   const SE3 before = map.WorldFromKeyframe(4);
@@ -62,7 +63,7 @@ TEST(BackgroundAdjusterTest, TheMapChangesWhenTheResultIsDueAndNotBefore) {
   EXPECT_NE(map.WorldFromKeyframe(4), before);
 }
 
-TEST(BackgroundAdjusterTest, TheResultIsDueSoonerWhereKeyframesFollowEachOtherFast) {
+TEST(BackgroundAdjusterTest, TheResultIsDueSoonerIfKeyframesAreFrequent) {
   test::Random random(1);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random, 1);
   BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
@@ -71,7 +72,7 @@ TEST(BackgroundAdjusterTest, TheResultIsDueSoonerWhereKeyframesFollowEachOtherFa
   EXPECT_TRUE(adjuster.UseResults(12, map).any());
 }
 
-TEST(BackgroundAdjusterTest, GivesTheWindowOfTheBundleAdjuster) {
+TEST(BackgroundAdjusterTest, ResultEqualsThatOfTheBundleAdjuster) {
   test::Random random(2);
   Map map = MakeDisturbedMap(5, test::PinholeCamera(), random);
   Map expected = map;
@@ -97,7 +98,7 @@ TEST(BackgroundAdjusterTest, AWindowIsAdjustedOnce) {
   EXPECT_FALSE(adjuster.UseResults(kEnd, map).any());
 }
 
-TEST(BackgroundAdjusterTest, FindsTheCameraThatTheImagesWereTakenWith) {
+TEST(BackgroundAdjusterTest, EstimatesTheTrueCamera) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
   BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
@@ -109,7 +110,7 @@ TEST(BackgroundAdjusterTest, FindsTheCameraThatTheImagesWereTakenWith) {
   EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
 }
 
-TEST(BackgroundAdjusterTest, ALastEstimateUsesKeyframesThatToldNone) {
+TEST(BackgroundAdjusterTest, TheLastCalibrationUsesKeyframesThatNoEstimateHasUsed) {
   test::Random random(4), again(4);
   Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
   Map grown = MakeDisturbedMap(15, test::PinholeCamera(), again);
@@ -124,7 +125,7 @@ TEST(BackgroundAdjusterTest, ALastEstimateUsesKeyframesThatToldNone) {
   EXPECT_LT(adjuster.camera_estimate().covariance.trace(), before.trace());
 }
 
-TEST(BackgroundAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
+TEST(BackgroundAdjusterTest, EstimatesOnlyTheFreeParameters) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
   BackgroundAdjuster adjuster({test::PinholeCamera().parameters(), {{"k1", 0.05}}},
@@ -137,7 +138,7 @@ TEST(BackgroundAdjusterTest, EstimatesWhatIsNamedAndNothingElse) {
   EXPECT_EQ(map.camera().parameters(), expected);
 }
 
-TEST(BackgroundAdjusterTest, AFixedCameraStays) {
+TEST(BackgroundAdjusterTest, AFixedCameraIsNotChanged) {
   test::Random random(4);
   Map map = MakeDistortedMap(0.04, random);
   BackgroundAdjuster adjuster = MakeAdjuster(FixedCamera());
@@ -147,7 +148,7 @@ TEST(BackgroundAdjusterTest, AFixedCameraStays) {
   EXPECT_EQ(map.camera(), test::PinholeCamera());
 }
 
-TEST(BackgroundAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
+TEST(BackgroundAdjusterTest, ACameraFarFromThePriorRejectsThePrior) {
   test::Random random(5);
   Map map = MakeDistortedMap(0.3, random);
   Map with_fixed_camera = map;
@@ -164,7 +165,7 @@ TEST(BackgroundAdjusterTest, ACameraFarFromTheGivenOneIsAContradiction) {
   }
 }
 
-TEST(BackgroundAdjusterTest, FailureIsReportedAndLeavesTheMap) {
+TEST(BackgroundAdjusterTest, FailureIsReportedAndTheMapIsUnchanged) {
   test::Random random(6);
   Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
   const Eigen::Vector2d nan = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());

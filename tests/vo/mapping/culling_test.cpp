@@ -12,7 +12,7 @@ namespace {
 
 using CullingTest = test::MappingTest;
 
-TEST_F(CullingTest, LandmarksThatAreNotFoundAreCulled) {
+TEST_F(CullingTest, LandmarksThatAreRarelyFoundAreCulled) {
   MakeViews(3, 200);
   std::vector<LandmarkId> recent = {0, 1};
   for (int i = 0; i < 40; ++i) map_.CountSeen({0}, Frame());
@@ -21,7 +21,7 @@ TEST_F(CullingTest, LandmarksThatAreNotFoundAreCulled) {
   EXPECT_NE(map_.FindLandmark(1), nullptr);
 }
 
-TEST_F(CullingTest, LandmarksMustBeSeenByAThirdKeyframeInTime) {
+TEST_F(CullingTest, LandmarksWithoutATimelyThirdObservationAreCulled) {
   MakeViews(3, 200);
   const LandmarkId twice = map_.AddLandmark({0, 0, 5}, {{0, views_[0].frame.num_keypoints() - 1},
                                                         {1, views_[1].frame.num_keypoints() - 1}});
@@ -39,7 +39,7 @@ TEST_F(CullingTest, LandmarksMustBeSeenByAThirdKeyframeInTime) {
   EXPECT_NE(map_.FindLandmark(0), nullptr);
 }
 
-TEST_F(CullingTest, RedundantKeyframesAreRetiredButNeverTheFirstOrTheNewest) {
+TEST_F(CullingTest, RedundantKeyframesAreCulledButNeverTheFirstOrTheNewest) {
   for (int i = 0; i < 6; ++i) {
     views_.push_back(test::ObserveScene(scene_, camera_, SE3(), 0.2, random_));
   }
@@ -48,16 +48,16 @@ TEST_F(CullingTest, RedundantKeyframesAreRetiredButNeverTheFirstOrTheNewest) {
   EXPECT_TRUE(map_.IsActive(0));
   EXPECT_TRUE(map_.IsActive(5));
   EXPECT_FALSE(map_.IsActive(1));
-  EXPECT_GE(map_.ActiveKeyframes().size(), 3u);  // Three others must see what is redundant.
+  EXPECT_GE(map_.ActiveKeyframes().size(), 3u);  // Redundancy needs three other observers.
 }
 
-TEST_F(CullingTest, NeededKeyframesStay) {
+TEST_F(CullingTest, NeededKeyframesStayActive) {
   MakeViews(3, 400);
   CullKeyframes(2, CullingOptions(), map_);
   EXPECT_EQ(map_.ActiveKeyframes().size(), 3u);
 }
 
-TEST_F(CullingTest, OldKeyframesAreArchivedUnlessTheNewestSeesTheirLandmarks) {
+TEST_F(CullingTest, OldKeyframesAreMarginalizedUnlessTheNewestObservesTheirLandmarks) {
   step_ = 0;
   MakeViews(5, 0);
   const LandmarkId old = map_.AddLandmark({0, 0, 5}, {{0, 0}, {2, 0}});

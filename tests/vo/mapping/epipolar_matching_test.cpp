@@ -10,7 +10,7 @@ namespace {
 
 using EpipolarMatchingTest = test::MappingTest;
 
-TEST_F(EpipolarMatchingTest, EpipolarMatchesAreFreeAndRight) {
+TEST_F(EpipolarMatchingTest, MatchesAreCorrectAndUseOnlyKeypointsWithoutLandmarks) {
   MakeViews(2, 100);
   const auto matches = MatchAlongEpipolarLines(map_.keyframe(0).frame, map_.keyframe(1).frame,
                                                map_.model(), {.min_depth = 1});
@@ -21,8 +21,8 @@ TEST_F(EpipolarMatchingTest, EpipolarMatchesAreFreeAndRight) {
   }
 }
 
-TEST_F(EpipolarMatchingTest, EpipolarLinesRuleOutTwins) {
-  // Two points share one descriptor, but not the epipolar line: here, the row.
+TEST_F(EpipolarMatchingTest, EpipolarLinesDisambiguateEqualDescriptors) {
+  // Two points share one descriptor, but not the epipolar line, which is the image row here.
   scene_.in_world = {{-0.5, -0.5, 5}, {0.5, 0.5, 5}};
   scene_.descriptors.resize(1);
   scene_.descriptors.push_back(scene_.descriptors[0]);

@@ -6,7 +6,7 @@
 namespace corvo {
 namespace {
 
-TEST(KeyframePolicyTest, KeyframeIsDueWhenClearlyLessIsSeen) {
+TEST(KeyframePolicyTest, KeyframeIsDueIfClearlyFewerLandmarksAreTracked) {
   KeyframeOptions options;
   options.max_tracked_share = 0.9;
   EXPECT_FALSE(NeedsKeyframe({400, 90, 100}, options));
@@ -14,7 +14,7 @@ TEST(KeyframePolicyTest, KeyframeIsDueWhenClearlyLessIsSeen) {
   EXPECT_FALSE(NeedsKeyframe({400, 300, 100}, options));
 }
 
-TEST(KeyframePolicyTest, KeyframeIsDueWhenLittleIsSeen) {
+TEST(KeyframePolicyTest, KeyframeIsDueIfFewKeypointsObserveLandmarks) {
   KeyframeOptions options;
   options.min_seeing_share = 0.1;
   EXPECT_FALSE(NeedsKeyframe({500, 50, 50}, options));

@@ -10,7 +10,7 @@ namespace {
 
 using LandmarkCreationTest = test::MappingTest;
 
-TEST_F(LandmarkCreationTest, NewLandmarksLieWhereThePointsAre) {
+TEST_F(LandmarkCreationTest, NewLandmarksAreNearTheTruePoints) {
   MakeViews(3, 100);
   const LandmarkId first_new = map_.num_landmark_ids();
   const int num_created = CreateLandmarks(2, options_, kMaxDistance, map_);
@@ -38,7 +38,7 @@ TEST_F(LandmarkCreationTest, FarPointsWithoutParallaxAreLeftOut) {
   EXPECT_EQ(CreateLandmarks(2, options_, kMaxDistance, map_), 0);
 }
 
-TEST_F(LandmarkCreationTest, AllRaysAreThoseOfTheCameraAsItIsKnownNow) {
+TEST_F(LandmarkCreationTest, AllRaysAreUpdatedToTheCurrentCamera) {
   MakeViews(3, 100);
   CameraParameters parameters = camera_.parameters();
   parameters.k1 = 0.02;

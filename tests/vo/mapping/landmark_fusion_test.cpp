@@ -13,9 +13,9 @@ namespace {
 
 using LandmarkFusionTest = test::MappingTest;
 
-TEST_F(LandmarkFusionTest, FusionJoinsWhatIsKnownTwice) {
+TEST_F(LandmarkFusionTest, FusionMergesDuplicateLandmarks) {
   MakeViews(4, 100);
-  // Each of 50 more points becomes two landmarks, of the views 0 and 1 and of the views 2 and 3.
+  // Each of 50 more points becomes two landmarks: one in views 0 and 1, one in views 2 and 3.
   int num_twice = 0;
   for (int point = 100; point < 150; ++point) {
     const std::vector<TrackElement> all = ObservationsOf(point);

@@ -10,12 +10,13 @@
 
 namespace corvo::test {
 
-/// A scene of points and a map of views of it, some points known as landmarks.
+/// A scene of points and a map of views of it; some points are landmarks of the map.
 class MappingTest : public ::testing::Test {
  protected:
   static constexpr int kMaxDistance = 65;
 
-  /// Views `step_` apart along x; landmarks are made of the scene's points below `num_known` only.
+  /// Adds views `step_` apart along x; only the first `num_known` points of the scene become
+  /// landmarks.
   void MakeViews(int num_views, int num_known) {
     for (int i = 0; i < num_views; ++i) {
       const SE3 pose(SO3(), Eigen::Vector3d(step_ * i, 0, 0));

@@ -10,7 +10,8 @@ namespace {
 
 Eigen::Vector2d Plus(const Eigen::Vector2d& at, const Eigen::Vector2d& step) { return at + step; }
 
-/// Rosenbrock's valley: residuals 10 (y - x²) and 1 - x, least at (1, 1).
+/// Returns the normal equations of Rosenbrock's function: residuals 10 (y - x²) and 1 - x, minimum
+/// at (1, 1).
 NormalEquations<2> Rosenbrock(const Eigen::Vector2d& at) {
   const Eigen::Vector2d residuals(10 * (at.y() - at.x() * at.x()), 1 - at.x());
   Eigen::Matrix2d jacobian;
@@ -19,7 +20,7 @@ NormalEquations<2> Rosenbrock(const Eigen::Vector2d& at) {
           residuals.squaredNorm()};
 }
 
-TEST(LevenbergMarquardtTest, FindsTheEndOfACurvedValley) {
+TEST(LevenbergMarquardtTest, FindsTheMinimumOfRosenbrocksFunction) {
   const auto minimum =
       MinimizeLevenbergMarquardt<2>(Eigen::Vector2d(-1.2, 1), Rosenbrock, Plus, 100);
   EXPECT_NEAR(minimum.state.x(), 1, 1e-4);
@@ -27,7 +28,7 @@ TEST(LevenbergMarquardtTest, FindsTheEndOfACurvedValley) {
   EXPECT_NEAR(minimum.cost, 0, 1e-6);
 }
 
-TEST(LevenbergMarquardtTest, NeverRaisesTheCost) {
+TEST(LevenbergMarquardtTest, NeverIncreasesTheCost) {
   for (int iterations = 0; iterations < 10; ++iterations) {
     const Eigen::Vector2d start(-1.2, 1);
     const auto fewer = MinimizeLevenbergMarquardt<2>(start, Rosenbrock, Plus, iterations);
@@ -36,7 +37,7 @@ TEST(LevenbergMarquardtTest, NeverRaisesTheCost) {
   }
 }
 
-TEST(LevenbergMarquardtTest, StaysWhereNothingIsKnown) {
+TEST(LevenbergMarquardtTest, WithoutInformationTheStateIsUnchanged) {
   const auto nothing = [](const Eigen::Vector2d&) { return NormalEquations<2>(); };
   const Eigen::Vector2d start(3, 4);
   EXPECT_EQ(MinimizeLevenbergMarquardt<2>(start, nothing, Plus, 10).state, start);

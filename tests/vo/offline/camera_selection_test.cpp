@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoisePx = 0.5;
 
-/// With the principal point in the image's center, as it is assumed.
+/// Returns a camera with the principal point in the center of the image, as the selection assumes.
 CameraParameters Centered() {
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.cx = 0.5 * (camera.width - 1);
@@ -22,7 +22,8 @@ CameraParameters Centered() {
   return camera;
 }
 
-/// Candidates of all kinds for the film of a camera, from a start 4% too long.
+/// Adjusts candidates of all models to a simulated sequence of a camera, starting with a focal
+/// length that is 4% too long.
 std::vector<CameraCandidate> AdjustAll(const CameraParameters& truth) {
   test::Random random(1);
   const std::vector<Bundle> bundles{test::MakeObservedBundle(Camera(truth), 12, kNoisePx, random)};
@@ -36,7 +37,7 @@ std::vector<CameraCandidate> AdjustAll(const CameraParameters& truth) {
   return candidates;
 }
 
-TEST(CameraSelectionTest, ACameraWithoutDistortionIsDescribedAsOne) {
+TEST(CameraSelectionTest, WithoutDistortionThePinholeModelIsSelected) {
   const std::vector<CameraCandidate> candidates = AdjustAll(Centered());
   const int selected = SelectCandidate(candidates);
   ASSERT_NE(selected, kNoId);
@@ -44,7 +45,7 @@ TEST(CameraSelectionTest, ACameraWithoutDistortionIsDescribedAsOne) {
   EXPECT_NEAR(candidates[selected].adjustment.camera.fx, Centered().fx, 0.01 * Centered().fx);
 }
 
-TEST(CameraSelectionTest, DistortionIsNotLeftOut) {
+TEST(CameraSelectionTest, WithDistortionTheRadtanModelIsSelected) {
   CameraParameters truth = Centered();
   truth.k1 = -0.15;
   truth.k2 = 0.05;
@@ -64,13 +65,13 @@ CameraCandidate Candidate(int num_free, double criterion) {
   return candidate;
 }
 
-TEST(CameraSelectionTest, TheSimplestIsTakenThatIsNotClearlyRejected) {
+TEST(CameraSelectionTest, SelectsTheSimplestCandidateThatIsNotClearlyWorse) {
   EXPECT_EQ(SelectCandidate({Candidate(3, 109), Candidate(4, 100), Candidate(7, 100)}), 0);
   EXPECT_EQ(SelectCandidate({Candidate(3, 111), Candidate(7, 100), Candidate(4, 105)}), 2);
   EXPECT_EQ(SelectCandidate({Candidate(3, 200), Candidate(7, 100)}), 1);
 }
 
-TEST(CameraSelectionTest, WhatWasNotLoweredIsNotTaken) {
+TEST(CameraSelectionTest, CandidatesOfFailedAdjustmentsAreNotSelected) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(SelectCandidate({Candidate(3, infinity), Candidate(7, 100)}), 1);
   EXPECT_EQ(SelectCandidate({Candidate(3, infinity)}), kNoId);
@@ -80,7 +81,7 @@ TEST(CameraSelectionTest, WhatWasNotLoweredIsNotTaken) {
       infinity);
 }
 
-TEST(CameraSelectionTest, OfTheFocalLengthNothingIsKnownBefore) {
+TEST(CameraSelectionTest, TheFocalLengthHasNoPriorSigma) {
   for (const CalibrationModel model : AllCalibrationModels()) {
     const CameraPrior prior = PriorOf(model, test::PinholeCamera());
     prior.Validate();

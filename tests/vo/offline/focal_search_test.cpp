@@ -18,11 +18,11 @@ namespace {
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 
-/// How a scene is seen by pairs of images.
+/// Parameters of simulated pairs of images of a scene.
 struct ViewPair {
   double focal = 500;
   double noise_px = 0;
-  int wrong_every = 0;  ///< Of so many matches one is wrong; 0: none.
+  int wrong_every = 0;  ///< Every `wrong_every`-th match is wrong; 0: none.
   bool is_plane = false;
   int num_pairs = 8;
   std::function<SE3(test::Random&)> first_from_second;
@@ -81,7 +81,7 @@ TEST_P(FocalSearchTest, IsExactWithoutNoise) {
   EXPECT_NEAR(result.camera.fx / GetParam(), 1, 0.01);
 }
 
-TEST_P(FocalSearchTest, TellsItsErrorWithNoiseAndWrongMatches) {
+TEST_P(FocalSearchTest, ReportsItsErrorWithNoiseAndWrongMatches) {
   CORVO_SKIP_IF_SHORT();
   for (int seed = 1; seed <= 3; ++seed) {
     const FocalSearchResult result = Search(
@@ -94,7 +94,7 @@ TEST_P(FocalSearchTest, TellsItsErrorWithNoiseAndWrongMatches) {
   }
 }
 
-TEST_P(FocalSearchTest, ARotationTellsIt) {
+TEST_P(FocalSearchTest, RotationDeterminesTheFocalLength) {
   const FocalSearchResult result =
       Search({.focal = GetParam(), .noise_px = 0.5, .wrong_every = 6, .first_from_second = Turn});
   EXPECT_TRUE(result.is_determined) << result.focal_sigma;
@@ -103,7 +103,7 @@ TEST_P(FocalSearchTest, ARotationTellsIt) {
 
 INSTANTIATE_TEST_SUITE_P(Lenses, FocalSearchTest, ::testing::Values(280.0, 500.0, 900.0));
 
-TEST(FocalSearch, StraightMotionAndAPlaneDoNotTellIt) {
+TEST(FocalSearch, StraightMotionOrAPlaneDoesNotDetermineTheFocalLength) {
   CORVO_SKIP_IF_SHORT();
   for (const auto& motion : {MoveForward, MoveAside}) {
     const FocalSearchResult straight = Search({.noise_px = 0.5, .first_from_second = motion});
@@ -115,7 +115,7 @@ TEST(FocalSearch, StraightMotionAndAPlaneDoNotTellIt) {
   EXPECT_FALSE(plane.is_determined) << plane.camera.fx << " " << plane.focal_sigma;
 }
 
-TEST(FocalSearch, PairsThatTellNothingDoNotHideThoseThatDo) {
+TEST(FocalSearch, UninformativePairsDoNotHideInformativeOnes) {
   CORVO_SKIP_IF_SHORT();
   test::Random random(3);
   std::vector<PixelMatches> pairs;
@@ -129,7 +129,7 @@ TEST(FocalSearch, PairsThatTellNothingDoNotHideThoseThatDo) {
   EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
 }
 
-TEST(FocalSearch, IsAPinholeInTheCenterAndTellsItsSweep) {
+TEST(FocalSearch, ReturnsACenteredPinholeCameraAndTheSweep) {
   const FocalSearchResult result = Search({.num_pairs = 2, .first_from_second = TurnAndMove});
   EXPECT_EQ(result.camera.cx, 319.5);
   EXPECT_EQ(result.camera.cy, 239.5);
@@ -140,18 +140,18 @@ TEST(FocalSearch, IsAPinholeInTheCenterAndTellsItsSweep) {
   EXPECT_NEAR(result.sweep.back().fov_deg, 120, 1e-9);
 }
 
-TEST(FocalSearch, WithoutMatchesTakesAnUsualLensAndSaysSo) {
+TEST(FocalSearch, WithoutMatchesReturnsADefaultLensAsUndetermined) {
   for (const auto& pairs : {std::vector<PixelMatches>{}, std::vector<PixelMatches>(3)}) {
     const FocalSearchResult result = SearchFocal(pairs, kWidth, kHeight);
     EXPECT_EQ(result.num_pairs, 0);
     EXPECT_FALSE(result.is_determined);
     EXPECT_TRUE(std::isinf(result.focal_sigma));
-    EXPECT_NEAR(result.camera.fx, 457, 1);  // 70 degrees.
+    EXPECT_NEAR(result.camera.fx, 457, 1);  // Field of view: 70 degrees.
   }
   EXPECT_THROW(SearchFocal({}, 0, kHeight), Error);
 }
 
-TEST(FocalSearch, GivesTheSameBitsAgain) {
+TEST(FocalSearch, ResultIsIdenticalWhenRepeated) {
   CORVO_SKIP_IF_SHORT();
   const ViewPair pair = {.noise_px = 0.7, .wrong_every = 4, .first_from_second = TurnAndMove};
   const FocalSearchResult once = Search(pair);

@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-/// A map of true positions, seen by a camera that steps to the side.
+/// Maps with true poses and positions, observed by a camera that moves sideways.
 class ResidualsTest : public ::testing::Test {
  protected:
   Map MakeMap(double sigma_px) {
@@ -24,15 +24,15 @@ class ResidualsTest : public ::testing::Test {
   }
 };
 
-TEST_F(ResidualsTest, AreTheNoiseOfThePixels) {
+TEST_F(ResidualsTest, MedianResidualIsThatOfThePixelNoise) {
   const auto residuals = MeasureResiduals(MakeMap(0.8));
   ASSERT_TRUE(residuals);
   EXPECT_GT(residuals->num_matches, 500);
-  EXPECT_NEAR(residuals->median_px, 0.8 * 1.177, 0.08);  // Rayleigh: sigma sqrt(2 ln 2).
+  EXPECT_NEAR(residuals->median_px, 0.8 * 1.177, 0.08);  // Rayleigh median: sigma sqrt(2 ln 2).
   EXPECT_FALSE(IsImplausible(*residuals));
 }
 
-TEST_F(ResidualsTest, OfAnotherCameraAreImplausible) {
+TEST_F(ResidualsTest, ResidualsOfAWrongCameraAreImplausible) {
   CameraParameters other = test::PinholeCamera().parameters();
   other.fx *= 1.05;
   other.fy *= 1.05;
@@ -44,9 +44,11 @@ TEST_F(ResidualsTest, OfAnotherCameraAreImplausible) {
   EXPECT_TRUE(IsImplausible(*residuals));
 }
 
-TEST_F(ResidualsTest, AnEmptyMapHasNone) { EXPECT_FALSE(MeasureResiduals(Map(test::MakeModel()))); }
+TEST_F(ResidualsTest, AnEmptyMapHasNoResiduals) {
+  EXPECT_FALSE(MeasureResiduals(Map(test::MakeModel())));
+}
 
-TEST_F(ResidualsTest, FewMatchesProveNothing) {
+TEST_F(ResidualsTest, FewMatchesAreNeverImplausible) {
   EXPECT_FALSE(IsImplausible({99, 5}));
   EXPECT_TRUE(IsImplausible({100, 2.1}));
   EXPECT_FALSE(IsImplausible({100, 2}));

@@ -19,7 +19,7 @@ FrameObservations MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
   return seen;
 }
 
-TEST(ObservationLogTest, GivesBackWhatItTook) {
+TEST(ObservationLogTest, VisitReturnsTheLoggedObservations) {
   ObservationLog log;
   const ObservationCallback add = log.Callback();
   log.Visit([](const FrameObservations&) { FAIL(); });

@@ -43,7 +43,8 @@ struct Recorded {
   TimeNs time_ns = 0;
 };
 
-/// Of the posed frames from an even drive along x, as shares of a step.
+/// Returns the RMS position error of the posed frames relative to a straight drive of constant
+/// speed, as a share of a step.
 double DriveError(const Trajectory& trajectory) {
   const PoseSequence poses = trajectory.PosedFrames();
   const auto position = [&](std::size_t i) { return poses[i].world_from_camera.translation(); };
@@ -87,7 +88,7 @@ TEST(RefinerTest, LowersTheCostAndAccountsForEveryFrame) {
   EXPECT_EQ(refined.num_moved, 0);
 }
 
-TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
+TEST(RefinerTest, NumberOfFramesBetweenKeyframesFollowsTheOptions) {
   Recorded recorded;
   recorded.Drive(40, 1);
   RefinerOptions options;
@@ -105,10 +106,10 @@ TEST(RefinerTest, FramesBetweenKeyframesAreAsManyAsAskedFor) {
   EXPECT_EQ(Refine(recorded.odometry, recorded.log, options).num_adjusted, num_keyframes);
 }
 
-TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
+TEST(RefinerTest, MarginalizedKeyframesAreAdjustedLikeActiveOnes) {
   const std::vector<cv::Mat> drive = test::MakeLongDrive(150);
   OdometryOptions options;
-  options.calibration.enabled = false;  // What tells the camera may have left.
+  options.calibration.enabled = false;  // Marginalized keyframes do not inform it.
   Recorded everything(options, test::LongDriveCamera());
   everything.Drive(drive);
   options.relocalizer.max_keyframes = 8;
@@ -136,14 +137,14 @@ TEST(RefinerTest, KeyframesThatLeftTheMapAreAdjustedAsIfTheyHadStayed) {
   }
 }
 
-TEST(RefinerTest, MergedLandmarksAreOne) {
+TEST(RefinerTest, MergedLandmarksAreReturnedOnce) {
   Recorded recorded;
   recorded.Drive(40, 1);
   std::set<LandmarkId> merged;
   for (const FrameObservations& seen : recorded.Logged()) {
     for (const LandmarkMerge& merge : seen.merges) {
       EXPECT_TRUE(merged.insert(merge.from).second) << "merged twice";
-      EXPECT_EQ(merged.count(merge.into), 0u) << "into what is no more";
+      EXPECT_EQ(merged.count(merge.into), 0u) << "merged into a landmark that no longer exists";
     }
   }
   ASSERT_FALSE(merged.empty());
@@ -152,7 +153,7 @@ TEST(RefinerTest, MergedLandmarksAreOne) {
   }
 }
 
-TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
+TEST(RefinerTest, EachSegmentKeepsThePoseOfItsOldestKeyframe) {
   Recorded recorded;
   recorded.Drive(15, 7);
   recorded.time_ns += 2'000'000'000;
@@ -177,7 +178,7 @@ TEST(RefinerTest, SegmentsKeepTheirPlaceAndShareACamera) {
   }
 }
 
-TEST(RefinerTest, FallsBackToThePlainTrajectory) {
+TEST(RefinerTest, FailureReturnsTheUnrefinedTrajectory) {
   Recorded recorded;
   recorded.Drive(20, 1);
   FrameObservations broken{1000, 0, 0, {}, {}, {}};
@@ -195,7 +196,7 @@ TEST(RefinerTest, FallsBackToThePlainTrajectory) {
             AdjustmentStatus::kNoObservations);
 }
 
-TEST(RefinerTest, GivesTheSameBitsTwice) {
+TEST(RefinerTest, ResultIsIdenticalWhenRepeated) {
   const auto refine = [] {
     Recorded recorded;
     recorded.Drive(20, 1);
@@ -207,7 +208,7 @@ TEST(RefinerTest, GivesTheSameBitsTwice) {
   EXPECT_EQ(first.adjustment.estimate.covariance, second.adjustment.estimate.covariance);
 }
 
-TEST(RefinerTest, ACameraTakenAsExactStays) {
+TEST(RefinerTest, AFixedCameraIsNotChanged) {
   OdometryOptions options;
   options.calibration.enabled = false;
   Recorded recorded(options);

@@ -12,8 +12,7 @@
 namespace corvo {
 namespace {
 
-/// A map of four views along x, of which a bundle of the first three is taken, with every second
-/// landmark.
+/// A map of four views along x, and a bundle of the first three views with every second landmark.
 class WriteBackTest : public ::testing::Test {
  protected:
   WriteBackTest() {
@@ -30,7 +29,7 @@ class WriteBackTest : public ::testing::Test {
     bundle_ = CopyBundle(map_, window);
   }
 
-  /// Moves the whole bundle, as an adjustment never would.
+  /// Moves the whole bundle, which an adjustment never does.
   void Move(const Sim3& move) {
     const Sim3 local_move =
         Sim3(bundle_.world_from_local.Inverse()) * move * Sim3(bundle_.world_from_local);
@@ -47,7 +46,7 @@ class WriteBackTest : public ::testing::Test {
   Bundle bundle_;
 };
 
-TEST_F(WriteBackTest, WhatIsNotInTheBundleGoesAlong) {
+TEST_F(WriteBackTest, KeyframesAndLandmarksOutsideTheBundleMoveWithIt) {
   const Map before = map_;
   const Sim3 move(1.1, SO3::Exp({0.02, -0.1, 0.03}), Eigen::Vector3d(0.2, -0.3, 0.1));
   Move(move);
@@ -64,7 +63,7 @@ TEST_F(WriteBackTest, WhatIsNotInTheBundleGoesAlong) {
   }
 }
 
-TEST_F(WriteBackTest, WhatOnlyHeldViewsSeeStays) {
+TEST_F(WriteBackTest, KeyframesStayIfAllViewsAreFixed) {
   for (Bundle::View& view : bundle_.views) view.is_fixed = true;
   const Map before = map_;
   Move(Sim3(1, SO3(), {1, 0, 0}));
@@ -74,7 +73,7 @@ TEST_F(WriteBackTest, WhatOnlyHeldViewsSeeStays) {
   }
 }
 
-TEST_F(WriteBackTest, WhatHasLeftIsNotMissed) {
+TEST_F(WriteBackTest, RemovedKeyframesAndLandmarksAreSkipped) {
   const LandmarkId removed = bundle_.points[0].landmark;
   const LandmarkId changed = bundle_.points[1].landmark;
   const TrackElement element = map_.FindLandmark(changed)->track.front();

@@ -13,7 +13,7 @@ namespace corvo {
 namespace {
 
 constexpr double kSigmaPx = 0.5;
-constexpr double kNoisePx = 0.3;  ///< Less, as in images: an estimate counts on it.
+constexpr double kNoisePx = 0.3;  ///< Less than kSigmaPx, as in images: estimates rely on it.
 
 enum class Path { kTurning, kStraight, kTurnInPlace };
 
@@ -30,7 +30,7 @@ SE3 PoseAt(Path path, int view) {
   return {SO3::Exp({0, 0.03 * view, 0}), Eigen::Vector3d::Zero()};
 }
 
-/// Keyframes with their true poses and landmarks at their true places, seen by `camera`.
+/// Makes a map of keyframes with true poses and landmarks at true positions, observed by `camera`.
 Map MakeViewMap(const Camera& camera, Path path, test::Random& random) {
   constexpr int kViews = 10;
   const test::PointScene scene = test::MakeBoxScene(600, 6, 30, random);
@@ -48,7 +48,8 @@ Bundle CopyAll(const Map& map) {
   return CopyBundle(map, window);
 }
 
-/// Of a map that was adjusted to the camera as it was given, as an odometry's is.
+/// Estimates the camera from a map that was first adjusted with the given camera, like the map of
+/// an odometry.
 CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
                         test::Random& random) {
   const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
@@ -78,7 +79,7 @@ CalibrationOptions LooseOptions() {
   return options;
 }
 
-TEST(CameraAdjustmentTest, ATurningCameraTellsItsDistortionAndHowSurely) {
+TEST(CameraAdjustmentTest, ATurningCameraDeterminesItsDistortionWithConsistentCovariance) {
   const CalibrationOptions options = LooseOptions();
   test::Random random(1);
   constexpr int kRuns = 20;
@@ -95,7 +96,7 @@ TEST(CameraAdjustmentTest, ATurningCameraTellsItsDistortionAndHowSurely) {
   EXPECT_LT(sum / (3 * kRuns), 2.0);
 }
 
-TEST(CameraAdjustmentTest, WhereTheMotionDoesNotTellThePriorStays) {
+TEST(CameraAdjustmentTest, DegenerateMotionKeepsThePrior) {
   const CalibrationOptions options = LooseOptions();
   test::Random random(2);
   for (const Path path : {Path::kStraight, Path::kTurnInPlace}) {
@@ -108,7 +109,7 @@ TEST(CameraAdjustmentTest, WhereTheMotionDoesNotTellThePriorStays) {
   EXPECT_GT(std::sqrt(straight.covariance(0, 0)), 0.8 * options.focal_sigma);
 }
 
-TEST(CameraAdjustmentTest, ASurePriorHolds) {
+TEST(CameraAdjustmentTest, ATightPriorKeepsTheGivenCamera) {
   CalibrationOptions options;
   options.focal_sigma = options.k1_sigma = options.k2_sigma = 1e-6;
   test::Random random(3);
@@ -117,7 +118,7 @@ TEST(CameraAdjustmentTest, ASurePriorHolds) {
               test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 1e-5));
 }
 
-TEST(CameraAdjustmentTest, GivesTheSameBitsTwice) {
+TEST(CameraAdjustmentTest, ResultIsIdenticalWhenRepeated) {
   const auto estimate = [] {
     test::Random random(4);
     return Estimate({0, 0.02, 0}, Path::kTurning, LooseOptions(), random);

@@ -12,14 +12,14 @@
 namespace corvo {
 namespace {
 
-/// The covariance at the given camera, by all points of the bundles.
+/// Returns the covariance at the given camera, using all points of the bundles.
 Eigen::MatrixXd CovarianceOf(const CameraPrior& prior, std::vector<Bundle> bundles) {
   AdjustmentState state{bundles, {}, Eigen::VectorXd::Zero(prior.num_free())};
   for (const Bundle& bundle : bundles) state.is_joint.emplace_back(bundle.points.size(), 1);
   return CameraCovariance(prior, state);
 }
 
-TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
+TEST(CameraCovarianceTest, DuplicatedObservationsHalveTheCovariance) {
   test::Random random(2);
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
   const Bundle bundle = test::MakeObservedBundle(test::PinholeCamera(), 10, 0.5, random);
@@ -30,7 +30,7 @@ TEST(CameraCovarianceTest, TwiceTheSameIsTwiceTheInformation) {
               test::IsMatrixNear(Eigen::Matrix3d(Eigen::Matrix3d::Constant(0.5)), 1e-3));
 }
 
-TEST(CameraCovarianceTest, WithoutObservationsItIsThePrior) {
+TEST(CameraCovarianceTest, WithoutObservationsTheCovarianceIsThatOfThePrior) {
   const CameraPrior prior{test::PinholeCamera().parameters(),
                           {{"focal", 0.01}, {"k1", 0.02}, {"k2", 0.03}}};
   const Eigen::Vector3d sigmas = CovarianceOf(prior, {Bundle()}).diagonal().cwiseSqrt();

@@ -27,8 +27,8 @@ AdjustmentSummary Adjust(const CameraPrior& prior, const CameraParameters& start
   return BundleAdjuster({.num_rounds = 2}).Adjust(prior, start, bundles, progress);
 }
 
-/// Moves poses and points, but for what holds the gauge: the oldest pose and the distance of the
-/// last from it.
+/// Disturbs poses and points, except what fixes the gauge: the oldest pose and the distance of the
+/// last pose from it.
 void Disturb(Bundle& bundle, double size, test::Random& random) {
   for (std::size_t i = 1; i + 1 < bundle.views.size(); ++i) {
     Bundle::View& view = bundle.views[i];
@@ -76,7 +76,7 @@ TEST(GlobalAdjustmentTest, LowersTheCostAndTheError) {
   EXPECT_EQ(result.camera, camera.parameters());
 }
 
-TEST(GlobalAdjustmentTest, GrossErrorsAreToldAndLeaveNoTrace) {
+TEST(GlobalAdjustmentTest, OutliersAreDetectedAndHardlyAffectThePoses) {
   test::Random random(2);
   const Camera camera = test::PinholeCamera();
   const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
@@ -98,13 +98,14 @@ TEST(GlobalAdjustmentTest, GrossErrorsAreToldAndLeaveNoTrace) {
     num_kept += observation.is_inlier;
   }
   EXPECT_GT(num_gross, 50);
-  EXPECT_LT(num_kept, 0.03 * num_gross);  // Along an epipolar line few views can tell.
+  EXPECT_LT(num_kept, 0.03 * num_gross);  // Few views detect errors along an epipolar line.
 }
 
-/// Bundles of a camera, adjusted from what is given; nothing is known of what is free.
+/// The result of adjusting bundles of a camera from a given start, without prior sigmas of the free
+/// parameters.
 struct Recovery {
   AdjustmentSummary result;
-  Eigen::VectorXd error;  ///< Of the difference from what was given.
+  Eigen::VectorXd error;  ///< Error of the difference from the given camera.
 };
 
 Recovery Recover(const Camera& truth, const CameraParameters& given,
@@ -128,7 +129,7 @@ void ExpectRecovered(const Recovery& recovery) {
   }
 }
 
-TEST(GlobalAdjustmentTest, FindsAPinholeOfWhichNothingIsKnown) {
+TEST(GlobalAdjustmentTest, FindsAPinholeCameraWithoutPriorSigmas) {
   test::Random random(3);
   CameraParameters camera = test::PinholeCamera().parameters();
   const CameraParameters given = camera;
@@ -164,7 +165,7 @@ TEST(GlobalAdjustmentTest, FindsWideCamerasByTheirOwnParameters) {
   ExpectRecovered(Recover(Camera(fov), given_fov, {"focal", "omega"}, 2, random));
 }
 
-TEST(GlobalAdjustmentTest, ASurePriorHolds) {
+TEST(GlobalAdjustmentTest, ATightPriorKeepsTheGivenCamera) {
   test::Random random(5);
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.k1 = 0.05;
@@ -175,7 +176,7 @@ TEST(GlobalAdjustmentTest, ASurePriorHolds) {
   EXPECT_NEAR(result.camera.k1, 0, 1e-6);
 }
 
-TEST(GlobalAdjustmentTest, TheObservationsCountAsOftenAsTheyAreSaidTo) {
+TEST(GlobalAdjustmentTest, InformationFactorScalesTheWeightOfTheObservations) {
   constexpr double kFactor = 4;
   test::Random random(13);
   const Camera camera = test::PinholeCamera();
@@ -191,7 +192,7 @@ TEST(GlobalAdjustmentTest, TheObservationsCountAsOftenAsTheyAreSaidTo) {
               test::IsMatrixNear(once.estimate.covariance, 1e-15));
 }
 
-TEST(GlobalAdjustmentTest, PerfectSolutionStays) {
+TEST(GlobalAdjustmentTest, APerfectSolutionIsUnchanged) {
   test::Random random(6);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, 0, random)};
@@ -221,7 +222,7 @@ TEST(GlobalAdjustmentTest, SolutionOfHigherCostIsRejected) {
   ExpectUnchanged(bundles[0], before);
 }
 
-TEST(GlobalAdjustmentTest, BundlesStayWhereNumbersAreNotFinite) {
+TEST(GlobalAdjustmentTest, BundlesAreUnchangedIfAnObservationIsNotFinite) {
   test::Random random(7);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
@@ -236,7 +237,7 @@ TEST(GlobalAdjustmentTest, BundlesStayWhereNumbersAreNotFinite) {
             AdjustmentStatus::kNoObservations);
 }
 
-TEST(GlobalAdjustmentTest, APointBehindACameraIsAnOutlierThatStopsNothing) {
+TEST(GlobalAdjustmentTest, APointBehindACameraIsAnOutlierAndDoesNotStopTheAdjustment) {
   test::Random random(8);
   const Camera camera = test::PinholeCamera();
   const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
@@ -250,7 +251,7 @@ TEST(GlobalAdjustmentTest, APointBehindACameraIsAnOutlierThatStopsNothing) {
   }
 }
 
-TEST(GlobalAdjustmentTest, GivesTheSameBitsWhereverItsMemoryLies) {
+TEST(GlobalAdjustmentTest, ResultDoesNotDependOnMemoryAddresses) {
   const auto adjust = [] {
     test::Random random(9);
     std::vector<Bundle> bundles;
@@ -270,7 +271,7 @@ TEST(GlobalAdjustmentTest, GivesTheSameBitsWhereverItsMemoryLies) {
   for (int i = 0; i < 3; ++i) ExpectUnchanged(first.second[i], second.second[i]);
 }
 
-TEST(GlobalAdjustmentTest, ManyViewsAreSolvedToo) {  // By sparse algebra.
+TEST(GlobalAdjustmentTest, ManyViewsAreSolvedBySparseAlgebra) {
   CORVO_SKIP_IF_SHORT();
   test::Random random(10);
   const Camera camera = test::PinholeCamera();
@@ -304,7 +305,7 @@ TEST(GlobalAdjustmentTest, ProgressCallbackCancels) {
   ExpectUnchanged(bundles[0], before);
 }
 
-TEST(GlobalAdjustmentTest, TellsHowFarItIs) {
+TEST(GlobalAdjustmentTest, ReportsItsProgress) {
   test::Random random(11);
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 6, kNoisePx, random)};

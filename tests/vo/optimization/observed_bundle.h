@@ -9,8 +9,8 @@
 
 namespace corvo::test {
 
-/// A bundle of all that a camera on a winding path sees of a scene of points, with Gaussian noise
-/// on the pixels; poses and points are the true ones.
+/// Makes a bundle of all observations of a scene of points by a camera on a winding path, with
+/// Gaussian noise on the pixels; poses and points are the true ones.
 inline Bundle MakeObservedBundle(const Camera& camera, int num_views, double noise_px,
                                  Random& random) {
   const PointScene scene = MakeBoxScene(600, 6, 30, random);

@@ -14,7 +14,7 @@
 namespace corvo {
 namespace {
 
-/// Of six views along x, the first fixed, without noise.
+/// Makes a bundle of six views along x without noise, the first of them fixed.
 Bundle MakeBundle(test::Random& random) {
   const test::PointScene scene = test::MakeBoxScene(300, 3, 10, random);
   std::vector<test::SceneView> views;
@@ -32,7 +32,7 @@ std::vector<int> CountObservations(const Bundle& bundle) {
   return counts;
 }
 
-TEST(PointAdjusterTest, OtherPointsReturnToWhereTheyAreSeen) {
+TEST(PointAdjusterTest, OtherPointsReturnToTheirTruePositions) {
   test::Random random(1);
   const Bundle exact = MakeBundle(random);
   Bundle bundle = exact;
@@ -55,7 +55,7 @@ TEST(PointAdjusterTest, OtherPointsReturnToWhereTheyAreSeen) {
   }
 }
 
-TEST(PointSelectionTest, EveryMovingViewHasItsQuota) {
+TEST(PointSelectionTest, EveryFreeViewHasItsQuota) {
   test::Random random(2);
   const Bundle bundle = MakeBundle(random);
   constexpr int kPointsPerView = 20;
@@ -69,10 +69,10 @@ TEST(PointSelectionTest, EveryMovingViewHasItsQuota) {
     EXPECT_GE(num_selected[view], std::min(kPointsPerView, num_seen[view])) << view;
   }
   EXPECT_LT(std::count(is_selected.begin(), is_selected.end(), 1),
-            5 * kPointsPerView);  // Fewer than a quota for each: they are shared.
+            5 * kPointsPerView);  // Fewer than the sum of the quotas: views share points.
 }
 
-TEST(PointSelectionTest, LongTracksComeFirst) {
+TEST(PointSelectionTest, LongTracksAreSelectedFirst) {
   test::Random random(3);
   const Bundle bundle = MakeBundle(random);
   const std::vector<char> is_selected = SelectPoints(bundle, 1);
@@ -81,7 +81,7 @@ TEST(PointSelectionTest, LongTracksComeFirst) {
   EXPECT_TRUE(is_selected[longest - counts.begin()]);
 }
 
-TEST(PointSelectionTest, AQuotaThatNoViewFillsTakesAll) {
+TEST(PointSelectionTest, AQuotaThatNoViewFillsSelectsAllPoints) {
   test::Random random(4);
   const Bundle bundle = MakeBundle(random);
   EXPECT_THAT(SelectPoints(bundle, 100000), ::testing::Each(1));

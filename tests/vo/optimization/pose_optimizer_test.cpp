@@ -32,12 +32,12 @@ TEST(PoseOptimizerTest, FindsTheExactPose) {
   const auto observations = Observe(100, 0, random);
   const SE3 initial = kTruth * SE3::Exp(random.Vector<6>(0.1));
   const PoseEstimate estimate = OptimizePose(initial, observations, test::PinholeCamera());
-  // Pixels are stored as float: some 1e-5 px.
+  // Pixels are stored as float, exact to some 1e-5 px.
   EXPECT_THAT(estimate.world_from_camera, test::IsPoseNear(kTruth, 1e-4, 1e-5));
   EXPECT_EQ(estimate.num_inliers, static_cast<int>(observations.size()));
 }
 
-TEST(PoseOptimizerTest, SetsGrossErrorsAside) {
+TEST(PoseOptimizerTest, DetectsOutliers) {
   test::Random random(2);
   auto observations = Observe(300, 0.5, random);
   for (std::size_t i = 0; i < observations.size(); i += 3) {
@@ -54,8 +54,9 @@ TEST(PoseOptimizerTest, SetsGrossErrorsAside) {
   EXPECT_LE(num_wrong, static_cast<int>(observations.size() / 50));
 }
 
-/// Mean distance from the truth over `num_scenes` in which every second point is off by draws with
-/// a standard deviation of 0.02, told to the optimizer or not.
+/// Returns the mean position error over `num_scenes` scenes in which every second point is
+/// displaced with a standard deviation of 0.02 along each axis; `is_reported` sets the covariance
+/// of these points.
 double MeanError(bool is_reported, int num_scenes) {
   constexpr double kSigma = 0.02;
   test::Random random(3);
@@ -74,11 +75,11 @@ double MeanError(bool is_reported, int num_scenes) {
   return sum / num_scenes;
 }
 
-TEST(PoseOptimizerTest, PointsThatAreKnownBadlyCountLess) {
+TEST(PoseOptimizerTest, UncertainPointsHaveLessWeight) {
   EXPECT_LT(MeanError(true, 20), 0.7 * MeanError(false, 20));
 }
 
-TEST(PoseOptimizerTest, APointThatIsKnownBadlyMustStillBeSeenWhereItIs) {
+TEST(PoseOptimizerTest, AnUncertainPointWithALargeErrorIsAnOutlier) {
   test::Random random(4);
   auto observations = Observe(100, 0.3, random);
   observations.points[0].covariance = Eigen::Matrix3d::Identity();
@@ -88,7 +89,7 @@ TEST(PoseOptimizerTest, APointThatIsKnownBadlyMustStillBeSeenWhereItIs) {
   EXPECT_EQ(estimate.num_inliers, static_cast<int>(observations.size()) - 1);
 }
 
-TEST(PoseOptimizerTest, SurvivesTooFewOrUselessObservations) {
+TEST(PoseOptimizerTest, ToleratesTooFewOrUselessObservations) {
   const Camera camera = test::PinholeCamera();
   EXPECT_EQ(OptimizePose(kTruth, {}, camera).num_inliers, 0);
   EXPECT_EQ(OptimizePose(kTruth, {}, camera).world_from_camera, kTruth);

@@ -21,7 +21,7 @@ Camera DistortedCamera() {
   return Camera(parameters);
 }
 
-/// A camera that is known exactly, as a least-squares problem has it.
+/// A camera without free parameters, in the form that a least-squares problem uses.
 class ExactCamera {
  public:
   explicit ExactCamera(const Camera& camera)
@@ -53,14 +53,14 @@ Evaluation Evaluate(const ReprojectionCost& cost, const SE3& pose, const Eigen::
   return evaluation;
 }
 
-TEST(ReprojectionCostTest, ResidualByHand) {
+TEST(ReprojectionCostTest, ResidualMatchesAHandComputedValue) {
   const ExactCamera camera(test::PinholeCamera());
   const ReprojectionCost cost(*camera, {0, 0, {319.5 + 99, 239.5 - 50}, 2.0});
   const Evaluation evaluation = Evaluate(cost, SE3(), {1, -0.5, 5});
   EXPECT_THAT(evaluation.residual, test::IsMatrixNear(Eigen::Vector2d(0.5, 0), 1e-12));
 }
 
-TEST(ReprojectionCostTest, JacobiansAreTheDerivatives) {
+TEST(ReprojectionCostTest, JacobiansMatchTheNumericDerivatives) {
   test::Random random(3);
   const ExactCamera camera(DistortedCamera());
   const ReprojectionCost cost(*camera, {0, 0, {300, 200}, 1.7});
@@ -81,7 +81,7 @@ TEST(ReprojectionCostTest, JacobiansAreTheDerivatives) {
   }
 }
 
-TEST(ReprojectionCostTest, PointBehindTheCameraHasALargeErrorAndNoDerivative) {
+TEST(ReprojectionCostTest, PointBehindTheCameraHasALargeErrorAndZeroDerivatives) {
   const ExactCamera camera(test::PinholeCamera());
   const ReprojectionCost cost(*camera, {0, 0, {0, 0}, 1.0});
   const Evaluation evaluation = Evaluate(cost, SE3(), {0, 0, -1});
@@ -90,7 +90,7 @@ TEST(ReprojectionCostTest, PointBehindTheCameraHasALargeErrorAndNoDerivative) {
   EXPECT_TRUE(evaluation.by_point.isZero());
 }
 
-TEST(ReprojectionCostTest, DerivativeByTheCameraIsThatOfTheProjection) {
+TEST(ReprojectionCostTest, CameraJacobianMatchesTheNumericDerivative) {
   const CameraPrior prior{DistortedCamera().parameters(), {{"focal"}, {"cx"}, {"k1"}}};
   Eigen::VectorXd difference = Eigen::Vector3d(0.01, 2, -0.02);
   AdjustedCamera adjusted(prior, difference);
@@ -114,7 +114,7 @@ TEST(ReprojectionCostTest, DerivativeByTheCameraIsThatOfTheProjection) {
   EXPECT_THAT(by_camera.eval(), test::IsMatrixNear(expected, 1e-5));
 }
 
-TEST(ReprojectionCostTest, EvaluationFailsWhereTheDifferenceIsNotThatOfACamera) {
+TEST(ReprojectionCostTest, EvaluationFailsIfTheCameraIsInvalid) {
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal"}}};
   Eigen::VectorXd difference = Eigen::VectorXd::Constant(1, 1000);
   AdjustedCamera adjusted(prior, difference);

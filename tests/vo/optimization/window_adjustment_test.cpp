@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// `num_views` views along x, a step of 0.3 apart, of the same box of points.
+/// Views 0.3 apart along x of a box of points.
 struct Path {
   test::PointScene scene;
   std::vector<test::SceneView> views;
@@ -31,7 +31,7 @@ Path MakePath(int num_views, double sigma_px, test::Random& random) {
   return path;
 }
 
-/// Displaces all keyframes but the first `num_kept`, and all landmarks.
+/// Displaces all keyframes except the first `num_kept`, and all landmarks.
 void Disturb(Map& map, int num_kept, test::Random& random) {
   for (KeyframeId id = num_kept; id < map.num_keyframes(); ++id) {
     map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
@@ -41,7 +41,7 @@ void Disturb(Map& map, int num_kept, test::Random& random) {
   }
 }
 
-/// Adjusts a window; outliers are removed from the map.
+/// Adjusts the window around `newest` and removes outliers from the map.
 AdjustmentSummary AdjustAround(Map& map, KeyframeId newest, int max_keyframes) {
   BundleAdjusterOptions options;
   options.max_keyframes = max_keyframes;
@@ -62,7 +62,7 @@ int CountTrackElements(const Map& map) {
   return count;
 }
 
-TEST(WindowAdjustmentTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
+TEST(WindowAdjustmentTest, WindowFreesTheMostCovisibleKeyframesAndFixesTheRest) {
   test::Random random(1);
   const Path path = MakePath(6, 0, random);
   const Map map = test::MakeMap(path.scene, path.views);
@@ -76,7 +76,7 @@ TEST(WindowAdjustmentTest, WindowMovesTheMostCovisibleAndHoldsTheRest) {
   }
 }
 
-TEST(WindowAdjustmentTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
+TEST(WindowAdjustmentTest, KeyframesThatObserveFewOfTheLandmarksAreLeftOut) {
   test::Random random(6);
   const Path path = MakePath(6, 0, random);
   const Map map = test::MakeMap(path.scene, path.views);
@@ -88,7 +88,7 @@ TEST(WindowAdjustmentTest, KeyframesThatSeeOnlyAFewOfTheLandmarksAreLeftOut) {
   EXPECT_THAT(window.fixed, IsEmpty());
 }
 
-TEST(WindowAdjustmentTest, HeldKeyframesRestoreTheExactMap) {
+TEST(WindowAdjustmentTest, FixedKeyframesRestoreTheExactMap) {
   test::Random random(2);
   const Path path = MakePath(6, 0, random);
   Map map = test::MakeMap(path.scene, path.views);
@@ -105,7 +105,7 @@ TEST(WindowAdjustmentTest, HeldKeyframesRestoreTheExactMap) {
   }
 }
 
-TEST(WindowAdjustmentTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanceStay) {
+TEST(WindowAdjustmentTest, WithoutFixedKeyframesTheFirstPoseAndTheFarthestDistanceAreKept) {
   test::Random random(3);
   const Path path = MakePath(4, 0.3, random);
   Map map = test::MakeMap(path.scene, path.views);
@@ -117,7 +117,7 @@ TEST(WindowAdjustmentTest, WithoutHeldKeyframesTheFirstPoseAndTheFarthestDistanc
   EXPECT_NEAR(map.WorldFromKeyframe(3).translation().norm(), distance, 1e-9);
 }
 
-TEST(WindowAdjustmentTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
+TEST(WindowAdjustmentTest, RemovesOutliersAndKeepsAllOtherTracks) {
   test::Random random(4);
   Path path = MakePath(5, 0.3, random);
   const int wrong = 7;
@@ -134,7 +134,7 @@ TEST(WindowAdjustmentTest, RemovesGrossErrorsAndLeavesOtherPointsAlone) {
   EXPECT_EQ(map.keyframe(4).frame.landmarks[wrong], kNoId);
 }
 
-TEST(WindowAdjustmentTest, TheMapMayGoOnMeanwhile) {
+TEST(WindowAdjustmentTest, TheMapMayChangeDuringTheAdjustment) {
   test::Random random(7);
   const Path path = MakePath(5, 0.3, random);
   Map map = test::MakeMap(path.scene, path.views);
@@ -153,7 +153,7 @@ TEST(WindowAdjustmentTest, TheMapMayGoOnMeanwhile) {
   EXPECT_EQ(map.FindLandmark(0)->in_world, adjusted_at_once.FindLandmark(0)->in_world);
 }
 
-TEST(WindowAdjustmentTest, GivesTheSameBitsTwice) {
+TEST(WindowAdjustmentTest, ResultIsIdenticalWhenRepeated) {
   test::Random random(5);
   const Path path = MakePath(5, 0.5, random);
   Map a = test::MakeMap(path.scene, path.views);

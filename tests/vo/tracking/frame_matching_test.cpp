@@ -8,7 +8,7 @@
 namespace corvo {
 namespace {
 
-TEST(FrameMatchingTest, FindsTheCommonPointsAndNoOthers) {
+TEST(FrameMatchingTest, FindsOnlyTheCommonPoints) {
   test::Random random(1);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 10, random);
   const Camera camera = test::PinholeCamera();
@@ -22,7 +22,7 @@ TEST(FrameMatchingTest, FindsTheCommonPointsAndNoOthers) {
   }
 }
 
-TEST(FrameMatchingTest, TwinsAreLeftOut) {
+TEST(FrameMatchingTest, AmbiguousMatchesAreRejected) {
   test::Random random(2);
   const test::PointScene scene = test::MakeBoxScene(200, 3, 10, random);
   const Camera camera = test::PinholeCamera();
@@ -38,7 +38,7 @@ TEST(FrameMatchingTest, TwinsAreLeftOut) {
   }
 }
 
-TEST(FrameMatchingTest, KnowingTheRotationFindsOnlyPointsNearIt) {
+TEST(FrameMatchingTest, MatchRotatedFramesFindsOnlyPointsNearTheirPrediction) {
   test::Random random(3);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 10, random);
   const Camera camera = test::PinholeCamera();

@@ -27,7 +27,7 @@ class InitializerTest : public ::testing::Test {
   Initializer initializer_{OdometryOptions(), test::MakeModel()};
 };
 
-TEST_F(InitializerTest, WaitsForParallaxThenMakesAMapOfUnitDepth) {
+TEST_F(InitializerTest, WaitsForParallaxThenMakesAMapOfUnitMedianDepth) {
   EXPECT_EQ(Add(Shifted(0)).reason, Reason::kReferenceFrame);
   EXPECT_EQ(Add(Shifted(0.001)).reason, Reason::kLowParallax);
   const InitializationResult result = Add(Shifted(0.6));
@@ -62,11 +62,11 @@ TEST_F(InitializerTest, TwoViewAdjustmentFollowsTheOptions) {
   EXPECT_NE(initialize(1), initialize(0.1));
 }
 
-TEST_F(InitializerTest, SaysThatAFrameIsBlank) {
+TEST_F(InitializerTest, ReportsABlankFrame) {
   EXPECT_EQ(initializer_.AddFrame(Frame()).reason, Reason::kTooFewFeatures);
 }
 
-TEST_F(InitializerTest, TakesANewReferenceWhenTheOldOneIsOutOfSight) {
+TEST_F(InitializerTest, TakesANewReferenceIfTheOldOneNoLongerMatches) {
   Add(Shifted(0));
   const SE3 turned(SO3::Exp({0, 3.14159, 0}), Eigen::Vector3d::Zero());
   for (Eigen::Vector3d& point : scene_.in_world) point = turned * point;
@@ -84,7 +84,7 @@ TEST_F(InitializerTest, NeverAcceptsAPureRotation) {
   }
 }
 
-TEST_F(InitializerTest, BeforeAPlaneItWaitsForASecondViewThatAgrees) {
+TEST_F(InitializerTest, PlanarSceneWaitsForASecondConsistentView) {
   scene_ = test::MakePlaneScene(600, 6, random_);
   EXPECT_EQ(Add(Shifted(0)).reason, Reason::kReferenceFrame);
   EXPECT_EQ(Add(Shifted(0.5)).reason, Reason::kPlanar);
@@ -95,7 +95,7 @@ TEST_F(InitializerTest, BeforeAPlaneItWaitsForASecondViewThatAgrees) {
   EXPECT_GT(pose.translation().normalized().x(), 0.998);
 }
 
-TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
+TEST_F(InitializerTest, ReportsTheRotationRelativeToItsReference) {
   const auto turned = [](double angle) {
     return SE3(SO3::Exp({0, angle, 0.3 * angle}), Eigen::Vector3d::Zero());
   };
@@ -110,7 +110,7 @@ TEST_F(InitializerTest, TellsTheRotationAgainstItsReference) {
   EXPECT_FALSE(Add(Shifted(0.6)).reference_from_newest);
 }
 
-TEST_F(InitializerTest, ContinuesTheRotationOfAFrameInBetween) {
+TEST_F(InitializerTest, ChainsTheRotationThroughAnIntermediateFrame) {
   const auto turned = [](double angle) {
     return SE3(SO3::Exp({0, angle, 0}), Eigen::Vector3d::Zero());
   };

@@ -35,7 +35,7 @@ TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
   EXPECT_NEAR(*motion.ExpectedDistance(300), 3 * step.translation().norm(), 1e-12);
 }
 
-TEST(MotionModelTest, ExpectsNoDistanceOfAStandingCamera) {
+TEST(MotionModelTest, ExpectsNoDistanceIfTheCameraDoesNotTranslate) {
   MotionModel motion;
   motion.Update(PosedFrame(100, SE3()), PosedFrame(200, SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0})));
   EXPECT_FALSE(motion.ExpectedDistance(100));

@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-/// A map of six views around a scene, the later ones turned far from the first.
+/// A map of six views of a scene, the later ones turned far from the first.
 class RelocalizerTest : public ::testing::Test {
  protected:
   RelocalizerTest() {
@@ -40,7 +40,7 @@ class RelocalizerTest : public ::testing::Test {
   Map map_{test::MakeModel()};
 };
 
-TEST_F(RelocalizerTest, FindsAFrameAnywhereInTheMap) {
+TEST_F(RelocalizerTest, LocatesAFrameAnywhereInTheMap) {
   for (const double i : {0.5, 2.2, 4.5}) {
     test::SceneView view = View(PoseAt(i));
     view.frame.world_from_camera = SE3();
@@ -49,26 +49,26 @@ TEST_F(RelocalizerTest, FindsAFrameAnywhereInTheMap) {
   }
 }
 
-TEST_F(RelocalizerTest, LooksOnlyInTheNewestKeyframes) {
+TEST_F(RelocalizerTest, SearchesOnlyTheNewestKeyframes) {
   RelocalizerOptions options;
   options.max_keyframes = 1;
-  test::SceneView view = View(PoseAt(-2));  // Sees nothing of the newest.
+  test::SceneView view = View(PoseAt(-2));  // Shares nothing with the newest.
   EXPECT_NE(Locate(view.frame, options).reason, Reason::kNone);
 }
 
-TEST_F(RelocalizerTest, LooksOnlyInItsSegment) {
+TEST_F(RelocalizerTest, SearchesOnlyTheGivenSegment) {
   test::SceneView view = View(PoseAt(1));
   EXPECT_FALSE(Relocalizer(OdometryOptions()).Relocalize(1, map_, view.frame).is_tracked());
 }
 
-TEST_F(RelocalizerTest, AsksForEnoughInliers) {
+TEST_F(RelocalizerTest, RequiresEnoughInliers) {
   test::SceneView view = View(PoseAt(1));
   RelocalizerOptions options;
   options.min_inliers = 10000;
   EXPECT_EQ(Locate(view.frame, options).reason, Reason::kTooFewInliers);
 }
 
-TEST_F(RelocalizerTest, NeverFindsAnotherPlace) {
+TEST_F(RelocalizerTest, RejectsAnUnknownPlace) {
   const test::PointScene elsewhere = test::MakeBoxScene(900, 3, 12, random_);
   test::SceneView view = test::ObserveScene(elsewhere, camera_, PoseAt(1), 0.3, random_);
   EXPECT_NE(Locate(view.frame).reason, Reason::kNone);

@@ -15,20 +15,20 @@ Frame PosedFrame(TimeNs time_ns, const SE3& world_from_camera) {
   return frame;
 }
 
-/// Moves by 2 along z in 100 ns.
+/// Returns a model of a motion by 2 along z in 100 ns.
 MotionModel DriveForward() {
   MotionModel motion;
   motion.Update(PosedFrame(0, SE3()), PosedFrame(100, SE3(SO3(), {0, 0, 2})));
   return motion;
 }
 
-TEST(SegmentStartTest, FirstFrameIsExpectedWhereTheMotionLeads) {
+TEST(SegmentStartTest, FirstPoseIsPredictedByTheMotionModel) {
   const SE3 pose = PredictFirstPose(PosedFrame(150, SE3()), std::nullopt,
                                     PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
   EXPECT_THAT(pose, test::IsPoseNear(SE3(SO3(), {0, 0, 3}), 1e-9, 1e-9));
 }
 
-TEST(SegmentStartTest, FirstFrameOfKnownRotationStandsWhereThePreviousOneStood) {
+TEST(SegmentStartTest, FirstFrameOfKnownRotationKeepsThePreviousPosition) {
   const SO3 rotation = SO3::Exp({0, 0.5, 0});
   const SE3 pose = PredictFirstPose(PosedFrame(150, SE3()), rotation,
                                     PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
@@ -42,7 +42,7 @@ TEST(SegmentStartTest, MapIsScaledToTheLastKnownSpeed) {
   EXPECT_THAT(scaled.points[0].in_first, test::IsMatrixNear(Eigen::Vector3d(40, 80, 120), 1e-9));
 }
 
-TEST(SegmentStartTest, MapKeepsItsScaleWhereNoSpeedIsKnown) {
+TEST(SegmentStartTest, MapKeepsItsScaleIfNoSpeedIsKnown) {
   const InitialMap map{SE3(SO3(), {0.1, 0, 0}), {{0, 0, {1, 2, 3}}}};
   const InitialMap same = ScaleToMotion(map, 200, MotionModel());
   EXPECT_EQ(same.first_from_second, map.first_from_second);

@@ -12,7 +12,7 @@
 namespace corvo {
 namespace {
 
-/// A map of three views 0.3 apart along x; the last one is the frame before.
+/// A map of three views 0.3 apart along x; the last one is the previous frame.
 class TrackerTest : public ::testing::Test {
  protected:
   TrackerTest() {
@@ -31,8 +31,9 @@ class TrackerTest : public ::testing::Test {
     return Tracker(OdometryOptions()).Track(map_, previous_, predicted, frame);
   }
 
-  /// Adds keypoints that look much, but less than the true ones, like landmarks of the frame
-  /// before: the first where a pose would put them, the next anywhere around.
+  /// Adds keypoints whose descriptors resemble landmarks of the previous frame, but less than those
+  /// of the true keypoints: `num_in_place` where `pose` predicts them, then `num_around`
+  /// within 10 px of the prediction in x and y.
   Frame AddDecoys(const Frame& frame, const SE3& pose, int num_in_place, int num_around) {
     orb::Features features = frame.features;
     for (int k = 0; k < num_in_place + num_around; ++k) {
@@ -58,7 +59,7 @@ class TrackerTest : public ::testing::Test {
   Frame previous_;
 };
 
-TEST_F(TrackerTest, LocatesAFrameAndNamesItsLandmarks) {
+TEST_F(TrackerTest, LocatesAFrameAndAssignsItsLandmarks) {
   const SE3 truth = Shifted(0.9) * SE3::Exp(random_.Vector<6>(0.01));
   test::SceneView view = View(truth);
   view.frame.world_from_camera = SE3();
@@ -77,7 +78,7 @@ TEST_F(TrackerTest, LocatesAFrameAndNamesItsLandmarks) {
   EXPECT_EQ(num_named, result.num_inliers);
 }
 
-TEST_F(TrackerTest, FindsLandmarksThatTheFrameBeforeDoesNotSee) {
+TEST_F(TrackerTest, FindsLandmarksThatThePreviousFrameDoesNotObserve) {
   for (int k = 0; k < previous_.num_keypoints(); k += 2) previous_.landmarks[k] = kNoId;
   test::SceneView view = View(Shifted(0.9));
   const TrackingResult result = TrackNext(Shifted(0.9), view.frame);
@@ -88,24 +89,24 @@ TEST_F(TrackerTest, FindsLandmarksThatTheFrameBeforeDoesNotSee) {
   EXPECT_GT(result.visible.size(), 200u);
 }
 
-TEST_F(TrackerTest, SurvivesABadPrediction) {
-  const SE3 truth(SO3::Exp({0, 0.15, 0}), Eigen::Vector3d(1.0, 0, 0));  // 75 px aside.
+TEST_F(TrackerTest, ToleratesABadPrediction) {
+  const SE3 truth(SO3::Exp({0, 0.15, 0}), Eigen::Vector3d(1.0, 0, 0));  // 75 px off.
   test::SceneView view = View(truth);
   EXPECT_EQ(TrackNext(Shifted(0.6), view.frame).reason, Reason::kNone);
   EXPECT_THAT(view.frame.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
 }
 
-TEST_F(TrackerTest, IsNotTakenInByWhatLooksAlikeNearABadPrediction) {
+TEST_F(TrackerTest, IsNotMisledBySimilarKeypointsNearABadPrediction) {
   const SE3 predicted = Shifted(0.9);
-  const SE3 truth = predicted * SE3(SO3::Exp({0, 0.04, 0}), Eigen::Vector3d::Zero());  // 20 px.
+  const SE3 truth = predicted * SE3(SO3::Exp({0, 0.04, 0}), Eigen::Vector3d::Zero());  // 20 px off.
   const test::SceneView view = View(truth);
   Frame seen = AddDecoys(view.frame, predicted, 40, 160);
   EXPECT_EQ(TrackNext(predicted, seen).reason, Reason::kNone);
   EXPECT_THAT(seen.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
 }
 
-TEST_F(TrackerTest, SaysThatNothingMatches) {
-  scene_ = test::MakeBoxScene(600, 3, 12, random_);  // Another place.
+TEST_F(TrackerTest, ReportsThatNothingMatches) {
+  scene_ = test::MakeBoxScene(600, 3, 12, random_);  // A different scene.
   test::SceneView view = View(Shifted(0.6));
   EXPECT_EQ(TrackNext(Shifted(0.6), view.frame).reason, Reason::kTooFewMatches);
   Frame blank;
@@ -113,7 +114,7 @@ TEST_F(TrackerTest, SaysThatNothingMatches) {
 }
 
 TEST_F(TrackerTest, FollowsMergedLandmarks) {
-  // Every landmark of the frame before is merged into a twin that the other views see.
+  // One landmark of the previous frame is merged into another one.
   Map map(test::MakeModel());
   for (const test::SceneView& view : views_) map.AddKeyframe(view.frame, 0);
   test::SceneView view = View(Shifted(0.9));
