@@ -9,11 +9,10 @@
 #include "vo/mapping/culling.h"
 #include "vo/mapping/keyframe_policy.h"
 #include "vo/mapping/mapper.h"
+#include "vo/tracking/image_motion.h"
 #include "vo/tracking/initializer.h"
 #include "vo/tracking/relocalizer.h"
-#include "vo/tracking/repeat_detector.h"
 #include "vo/tracking/segment_start.h"
-#include "vo/tracking/static_overlay.h"
 #include "vo/tracking/tracker.h"
 #include "vo/tracking/unposed_outcome.h"
 
@@ -25,8 +24,7 @@ Odometry::Odometry(const Camera& camera, const OdometryOptions& options, int thr
 Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int threads)
     : options_(options.Checked()),
       threads_(threads),
-      repeats_(std::make_unique<RepeatDetector>()),
-      overlay_(std::make_unique<StaticOverlay>()),
+      image_motion_(std::make_unique<ImageMotion>()),
       extractor_(options.extractor, threads),
       map_({Camera(prior.given), options.measurement, extractor_.octave_scales()}),
       initializer_(std::make_unique<Initializer>(options, map_.model())),
@@ -46,13 +44,12 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   history_->CheckNext(time_ns);
   clock_.Reset();
   // An image that repeats the previous one says nothing about the motion: it gets the same pose.
-  const ReducedImage reduced(image);
-  if (repeats_->Add(reduced)) return history_->ResultOf(history_->AddRepeat(time_ns), map_);
+  const ImageMotion::Result motion = image_motion_->Add(image);
+  if (motion.is_repeat) return history_->ResultOf(history_->AddRepeat(time_ns), map_);
   // Texture that moves with the camera would hold the pose in place: it is masked.
-  const bool has_overlay_grown = overlay_->Add(reduced);
-  used_mask_ = overlay_->Exclude(mask, image.size());
-  if (has_overlay_grown) RemoveOverlay(used_mask_);
-  Frame frame = ExtractFrame(image, time_ns, used_mask_);
+  used_mask_ = image_motion_->overlay().Exclude(mask, image.size());
+  if (motion.has_overlay_grown) RemoveOverlay();
+  Frame frame = ExtractFrame(image, time_ns);
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   const TrackingResult tracking = Track(frame);
@@ -95,21 +92,21 @@ const Frame& Odometry::last_frame() const {
   return pending != nullptr ? *pending : previous_;
 }
 
-void Odometry::RemoveOverlay(const cv::Mat& mask) {
-  CullMaskedLandmarks(mask, map_);
-  RemoveMaskedKeypoints(mask, previous_);
-  initializer_->RemoveMasked(mask);
+void Odometry::RemoveOverlay() {
+  CullMaskedLandmarks(used_mask_, map_);
+  RemoveMaskedKeypoints(used_mask_, previous_);
+  initializer_->RemoveMasked(used_mask_);
 }
 
-Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
+Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
   const StageClock::Scope scope(clock_, &StageTimes::extract_ms);
   orb::Features features;
   std::vector<orb::Patch> patches;
-  extractor_.Extract(image, mask, features, patches);
+  extractor_.Extract(image, used_mask_, features, patches);
   Frame frame =
       MakeFrame(history_->size(), time_ns, std::move(features), camera(), std::move(patches));
   history_->Add(frame);
-  history_->outcome(frame.index).masked_share = overlay_->masked_share();
+  history_->outcome(frame.index).masked_share = image_motion_->overlay().masked_share();
   return frame;
 }
 
@@ -222,16 +219,11 @@ void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,
   FrameOutcome& outcome = history_->outcome(frame);
   ExplainUnposed(!map_.empty(), tracking, initialization, outcome);
   state_ = outcome.state;
-  if (segment_ == kNoId && initialization.reason == Reason::kReferenceFrame) {
-    history_->SetRotation(frame, frame, SO3());
-  }
-  if (initialization.reference_from_newest) {
-    history_->SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
-    if (history_->RotationOf(frame, map_)) {
-      segment_ = std::max(segment_, 0);
-      outcome.state = State::kRotationOnly;
-      outcome.reason = initialization.reason;
-    }
+  const bool is_first = segment_ == kNoId;
+  if (ChainRotation(frame, initialization, is_first, map_, *history_)) {
+    segment_ = std::max(segment_, 0);
+    outcome.state = State::kRotationOnly;
+    outcome.reason = initialization.reason;
   }
   outcome.segment = segment_;
 }

@@ -24,11 +24,10 @@
 namespace corvo {
 
 class FrameHistory;
+class ImageMotion;
 class Initializer;
 class Mapper;
 class Relocalizer;
-class RepeatDetector;
-class StaticOverlay;
 class Tracker;
 struct InitializationResult;
 struct MapUpdate;
@@ -117,8 +116,8 @@ class Odometry {
 
  private:
   /// Removes what has been found to move with the camera from the map and from frames.
-  void RemoveOverlay(const cv::Mat& mask);
-  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask);
+  void RemoveOverlay();
+  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns);
   /// Updates everything that depends on keyframes and camera after an update of the map.
   void ApplyUpdate(const MapUpdate& update);
   /// Waits for all work on the map that has been started.
@@ -142,8 +141,7 @@ class Odometry {
 
   OdometryOptions options_;
   int threads_;
-  std::unique_ptr<RepeatDetector> repeats_;
-  std::unique_ptr<StaticOverlay> overlay_;
+  std::unique_ptr<ImageMotion> image_motion_;
   orb::Extractor extractor_;
   Map map_;
   std::unique_ptr<Initializer> initializer_;

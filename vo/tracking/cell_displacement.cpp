@@ -84,11 +84,8 @@ CellDisplacement::Texture CellDisplacement::MeasureTexture(const cv::Rect& cell)
   return texture;
 }
 
-CellMotion CellDisplacement::MeasureCell(const cv::Rect& cell, const Texture& texture,
-                                         const ReducedImage& image) const {
-  CellMotion motion;
-  motion.is_textured = texture.is_sufficient;
-  if (!motion.is_textured) return motion;
+CellDisplacement::Change CellDisplacement::SumChange(const cv::Rect& cell,
+                                                     const ReducedImage& image) const {
   int e = 0, ee = 0, xe = 0, ye = 0;
   for (int row = cell.y; row < cell.y + cell.height; ++row) {
     const auto* gx = gradient_x_.ptr<std::int16_t>(row);
@@ -103,20 +100,27 @@ CellMotion CellDisplacement::MeasureCell(const cv::Rect& cell, const Texture& te
       ye += gy[column] * change;
     }
   }
+  return {static_cast<double>(e), static_cast<double>(ee), xe / 2.0, ye / 2.0};
+}
+
+CellMotion CellDisplacement::MeasureCell(const cv::Rect& cell, const Texture& texture,
+                                         const ReducedImage& image) const {
+  if (!texture.is_sufficient) return {};
   const double n = cell.area();
+  const Change change = SumChange(cell, image);
   const double determinant = texture.xx * texture.yy - texture.xy * texture.xy;
-  const double cxe = xe / 2.0 - texture.mean_x * e, cye = ye / 2.0 - texture.mean_y * e;
-  const double dx = (texture.yy * cxe - texture.xy * cye) / determinant;
-  const double dy = (texture.xx * cye - texture.xy * cxe) / determinant;
-  const double residual = (ee - e * static_cast<double>(e) / n - dx * cxe - dy * cye) / n;
+  const double xe = change.xe - texture.mean_x * change.e;
+  const double ye = change.ye - texture.mean_y * change.e;
+  // To first order, content displaced by d changes the image by minus the gradient times d.
+  const double dx = -(texture.yy * xe - texture.xy * ye) / determinant;
+  const double dy = -(texture.xx * ye - texture.xy * xe) / determinant;
+  const double residual = (change.ee - change.e * change.e / n + dx * xe + dy * ye) / n;
   const double gradient = (texture.xx + texture.yy) / 2 / n;
-  motion.is_changed =
-      residual > std::max(kMaxNoise * kMaxNoise, kMaxResidual * kMaxResidual * gradient) ||
-      std::hypot(dx, dy) > 1;
-  // The image is the reference at x - d, to first order its change is minus gradient times d.
-  motion.dx = static_cast<float>(-dx * image.factor);
-  motion.dy = static_cast<float>(-dy * image.factor);
-  return motion;
+  const double max_residual =
+      std::max(kMaxNoise * kMaxNoise, kMaxResidual * kMaxResidual * gradient);
+  const bool is_changed = residual > max_residual || std::hypot(dx, dy) > 1;
+  return {true, is_changed, static_cast<float>(dx * image.factor),
+          static_cast<float>(dy * image.factor)};
 }
 
 cv::Point2f CellDisplacement::CenterOf(int cell) const {

@@ -47,7 +47,13 @@ class CellDisplacement {
     bool is_sufficient = false;
   };
 
+  struct Change {
+    double e = 0, ee = 0;   ///< Sums of the change of gray level and of its square.
+    double xe = 0, ye = 0;  ///< Sums of its products with the gradients.
+  };
+
   Texture MeasureTexture(const cv::Rect& cell) const;
+  Change SumChange(const cv::Rect& cell, const ReducedImage& image) const;
   CellMotion MeasureCell(const cv::Rect& cell, const Texture& texture,
                          const ReducedImage& image) const;
   cv::Rect CellAt(int index) const;

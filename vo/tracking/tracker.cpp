@@ -13,6 +13,7 @@
 #include "vo/map/landmark_alignment.h"
 #include "vo/map/landmark_covariance.h"
 #include "vo/optimization/pose_optimizer.h"
+#include "vo/tracking/chance_test.h"
 #include "vo/tracking/frame_matching.h"
 
 namespace corvo {
@@ -83,6 +84,11 @@ std::vector<LandmarkId> CollectLocalLandmarks(const Map& map, const Frame& frame
   return others;
 }
 
+/// Whether most of the landmarks that should be visible were found: that is not by chance.
+bool IsMajority(const TrackingResult& result) {
+  return 2 * result.num_inliers > static_cast<int>(result.visible.size());
+}
+
 }  // namespace
 
 Tracker::Tracker(const OdometryOptions& options)
@@ -103,7 +109,10 @@ TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& 
   result.num_matches = CountObservedLandmarks(frame);
   AlignKeypoints(map, frame);
   result.num_inliers = OptimizePose(map, frame.world_from_camera, frame);
-  if (result.num_inliers < options_.min_inliers) result.reason = Reason::kTooFewInliers;
+  const bool is_enough = result.num_inliers >= options_.min_inliers &&
+                         (IsMajority(result) || IsBeyondChance(map, result.visible, frame,
+                                                               {matching_.max_tracking_distance}));
+  if (!is_enough) result.reason = Reason::kTooFewInliers;
   return result;
 }
 

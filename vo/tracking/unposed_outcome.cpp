@@ -15,4 +15,14 @@ void ExplainUnposed(bool has_map, const TrackingResult& tracking,
   outcome.parallax_deg = initialization.parallax_deg;
 }
 
+bool ChainRotation(int frame, const InitializationResult& initialization, bool is_first,
+                   const Map& map, FrameHistory& history) {
+  if (is_first && initialization.reason == Reason::kReferenceFrame) {
+    history.SetRotation(frame, frame, SO3());
+  }
+  if (!initialization.reference_from_newest) return false;
+  history.SetRotation(frame, initialization.reference, *initialization.reference_from_newest);
+  return history.RotationOf(frame, map).has_value();
+}
+
 }  // namespace corvo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vo/core/frame_result.h"
+#include "vo/map/frame_history.h"
 #include "vo/tracking/initializer.h"
 #include "vo/tracking/tracker.h"
 
@@ -12,5 +13,11 @@ namespace corvo {
 /// cases.
 void ExplainUnposed(bool has_map, const TrackingResult& tracking,
                     const InitializationResult& initialization, FrameOutcome& outcome);
+
+/// Records the rotation of a frame without a pose relative to the frame that the initializer names.
+/// The reference frame of a sequence that `is_first` starts a chain. Returns whether the frame's
+/// rotation is known from a relative rotation.
+bool ChainRotation(int frame, const InitializationResult& initialization, bool is_first,
+                   const Map& map, FrameHistory& history);
 
 }  // namespace corvo
