@@ -13,6 +13,7 @@
 #include "orb/apportion.h"
 #include "orb/descriptor.h"
 #include "orb/error.h"
+#include "orb/level_detail.h"
 #include "orb/level_extractor.h"
 #include "orb/orientation.h"
 #include "orb/pattern_file.h"
@@ -39,9 +40,9 @@ ExtractorOptions Validated(const ExtractorOptions& options) {
   return options;
 }
 
-int WantedFeatures(const ExtractorOptions& options, int image_width) {
+int WantedFeatures(const ExtractorOptions& options, cv::Size image) {
   if (options.num_features > 0) return options.num_features;
-  return image_width >= 1000 ? 2000 : 1000;
+  return std::max(image.width, image.height) >= 900 ? 2000 : 1000;
 }
 
 /// Returns the level's pixel nearest to a keypoint, or std::nullopt if it cannot be described.
@@ -155,12 +156,13 @@ std::int64_t WeightOf(const PyramidLevel& level, bool grid) {
   return std::llround(1000 * std::sqrt(std::sqrt(static_cast<double>(area))));
 }
 
-/// Divides the wanted number of features among the levels.
-void SetQuotas(int wanted, bool grid, Buffers& buffers) {
+/// Divides the wanted number of features among the levels from `first_level` on.
+void SetQuotas(int wanted, bool grid, int first_level, Buffers& buffers) {
   const std::vector<PyramidLevel>& levels = buffers.pyramid.levels();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     buffers.weights[i] = WeightOf(levels[i], grid);
-    buffers.num_corners[i] = buffers.levels[i].num_corners();
+    const bool is_used = static_cast<int>(i) >= first_level;
+    buffers.num_corners[i] = is_used ? buffers.levels[i].num_corners() : 0;
   }
   Apportion(wanted, buffers.weights, buffers.num_corners, buffers.quotas);
   std::exclusive_scan(buffers.quotas.begin(), buffers.quotas.end(), buffers.starts.begin(), 0);
@@ -220,13 +222,16 @@ void Extractor::Extract(const cv::Mat& image, const cv::Mat& mask, Features& fea
   const std::vector<PyramidLevel>& levels = buffers->pyramid.levels();
   std::vector<LevelExtractor>& extractors = buffers->levels;
   const int num_levels = static_cast<int>(levels.size());
-  buffers->workers.ForEach(num_levels,
-                           [&](int i) { extractors[i].Detect(levels[i], mask, options_); });
-  SetQuotas(WantedFeatures(options_, image.cols), options_.grid, *buffers);
+  const int first_level = FindFirstDetailedLevel(levels, options_.min_detail);
+  buffers->workers.ForEach(num_levels, [&](int i) {
+    if (i >= first_level) extractors[i].Detect(levels[i], mask, options_);
+  });
+  SetQuotas(WantedFeatures(options_, image.size()), options_.grid, first_level, *buffers);
   const int num_features = buffers->starts.back() + buffers->quotas.back();
   features.keypoints.resize(num_features);
   features.descriptors.resize(num_features);
   buffers->workers.ForEach(num_levels, [&](int i) {
+    if (i < first_level) return;
     const std::size_t start = buffers->starts[i];
     const std::size_t count = buffers->quotas[i];
     extractors[i].Describe(levels[i], i, options_, *describer_,

@@ -152,7 +152,7 @@ inline cv::Ptr<cv::Feature2D> CreateFeature2D(const ExtractorOptions& options, i
 }
 
 /// Like cv::ORB::create(num_features), but with corvo's defaults: keypoints are spread over a grid.
-/// 0 stands for 1000, or 2000 for images at least 1000 px wide.
+/// 0 stands for 1000, or 2000 for images whose longer side has at least 900 px.
 inline cv::Ptr<cv::Feature2D> CreateFeature2D(int num_features = 0) {
   ExtractorOptions options;
   options.num_features = num_features;

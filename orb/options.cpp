@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "orb/options.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "orb/error.h"
@@ -43,6 +45,20 @@ void ExtractorOptions::Validate() const {
   Visit(*this, CheckField{});
   CheckRange("min_fast_threshold", min_fast_threshold, 1, fast_threshold);
   CheckPattern(pattern);
+}
+
+double ImageScale(int width, int height) {
+  constexpr double kShorterSide = 480;
+  return std::max(1.0, std::min(width, height) / kShorterSide);
+}
+
+ExtractorOptions AdaptToImage(ExtractorOptions options, int width, int height) {
+  constexpr int kMaxLevels = 32;
+  const int further = static_cast<int>(
+      std::lround(std::log(ImageScale(width, height)) / std::log(options.scale_factor)));
+  options.num_levels =
+      std::max(options.num_levels, std::min(kMaxLevels, options.num_levels + further));
+  return options;
 }
 
 }  // namespace corvo::orb

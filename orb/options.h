@@ -22,6 +22,7 @@ struct ExtractorOptions {
   int num_features = 0;
   int num_levels = 8;
   double scale_factor = 1.2;
+  double min_detail = 0.6;
   int fast_threshold = 20;
   int min_fast_threshold = 7;
   Ranking ranking = Ranking::kFast;
@@ -41,9 +42,13 @@ struct ExtractorOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& field) {
     field("num_features", self.num_features, 0, 100000,
-          "keypoints an image; 0: 1000, or 2000 for images at least 1000 px wide");
+          "keypoints an image; 0: 1000, or 2000 for images whose longer side has at least 900 px");
     field("num_levels", self.num_levels, 1, 32, "levels of the image pyramid");
     field("scale_factor", self.scale_factor, 1.01, 4.0, "ratio of one level's size to the next");
+    field(
+        "min_detail", self.min_detail, 0.0, 1.0,
+        "finest levels with less detail, as in blurred or enlarged images, get no keypoints; 1 is "
+        "a sharp photograph, 0.5 an image enlarged to twice its size");
     field("fast_threshold", self.fast_threshold, 1, 254, "FAST threshold, gray levels");
     field("min_fast_threshold", self.min_fast_threshold, 1, 254,
           "FAST threshold of cells that are short of corners; at most fast_threshold");
@@ -56,5 +61,14 @@ struct ExtractorOptions {
           "binary tests: learned (from photographs), brief (sampled), or a file of corvo learn");
   }
 };
+
+/// Returns the shorter side of an image in units of 480 px, at least 1: the factor by which lengths
+/// that are given in pixels grow in large images.
+double ImageScale(int width, int height);
+
+/// Returns `options` with further levels for images of more than 480 px on the shorter side, so
+/// that the coarsest level shows as large a part of the image as in smaller ones. Blur and fast
+/// motion cover more pixels in large images.
+ExtractorOptions AdaptToImage(ExtractorOptions options, int width, int height);
 
 }  // namespace corvo::orb

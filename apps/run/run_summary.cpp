@@ -76,7 +76,7 @@ std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
         "the calibration is implausible: the median reprojection error of landmarks is {:.1f} px "
         "over {} matches, at most {:.0f} px is expected; check the camera's focal length, "
         "principal point and distortion",
-        residuals->median_px, residuals->num_matches, options.max_median_px);
+        residuals->median_px, residuals->num_matches, residuals->max_median_px);
   }
   return residuals;
 }

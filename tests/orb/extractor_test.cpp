@@ -119,9 +119,10 @@ TEST(ExtractorTest, ReturnsTheRequestedNumberOrAllCornersOnRealImages) {
   }
 }
 
-TEST(ExtractorTest, DefaultNumberOfFeaturesDependsOnTheWidthOnly) {
-  EXPECT_EQ(Extractor().Extract(NoiseImage({999, 200}, 5)).keypoints.size(), 1000U);
-  EXPECT_EQ(Extractor().Extract(NoiseImage({1000, 200}, 5)).keypoints.size(), 2000U);
+TEST(ExtractorTest, DefaultNumberOfFeaturesDependsOnTheLongerSideOnly) {
+  EXPECT_EQ(Extractor().Extract(NoiseImage({899, 200}, 5)).keypoints.size(), 1000U);
+  EXPECT_EQ(Extractor().Extract(NoiseImage({900, 200}, 5)).keypoints.size(), 2000U);
+  EXPECT_EQ(Extractor().Extract(NoiseImage({200, 900}, 5)).keypoints.size(), 2000U);
 }
 
 TEST(ExtractorTest, KeypointsAreCornersInsideTheBorderSortedAndDistinct) {

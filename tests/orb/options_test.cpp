@@ -55,5 +55,15 @@ TEST(RankingTest, NamesAndRankingsCorrespond) {
   EXPECT_THAT([] { ParseRanking("Fast"); }, ThrowsError("ranking", "Fast", "fast or harris"));
 }
 
+TEST(AdaptToImage, AddsLevelsThatMakeUpForTheSize) {
+  const ExtractorOptions options;
+  EXPECT_EQ(AdaptToImage(options, 640, 480).num_levels, 8);
+  EXPECT_EQ(AdaptToImage(options, 160, 120).num_levels, 8);
+  EXPECT_EQ(AdaptToImage(options, 1241, 376).num_levels, 8);
+  EXPECT_EQ(AdaptToImage(options, 1280, 960).num_levels, 12);  // 1.2^4 is about 2.
+  EXPECT_EQ(AdaptToImage(options, 960, 1280).num_levels, 12);
+  EXPECT_EQ(AdaptToImage(options, 100000, 100000).num_levels, 32);
+}
+
 }  // namespace
 }  // namespace corvo::orb

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "orb/options.h"
 #include "vo/map/guided_matching.h"
 #include "vo/math/median.h"
 
@@ -17,7 +18,10 @@ void AppendResiduals(const Map& map, const Keyframe& keyframe, const MatchResidu
   const Frame& frame = keyframe.frame;
   const GuidedQueries queries =
       ProjectLandmarks(map, map.FindObserved(around), frame.world_from_camera, window);
-  for (const orb::Match& match : MatchGuided(queries, frame, {options.max_distance})) {
+  // Repetitive texture has matches elsewhere that say nothing about the camera.
+  const GuidedMatchingOptions unique{options.max_distance, RatioTest::kSameOctave,
+                                     options.max_ratio};
+  for (const orb::Match& match : MatchGuided(queries, frame, unique)) {
     residuals.push_back((queries.pixels[match.query] - frame.pixel(match.train)).norm());
   }
 }
@@ -31,12 +35,14 @@ std::optional<MatchResiduals> MeasureResiduals(const Map& map,
     AppendResiduals(map, map.keyframe(id), options, residuals);
   }
   if (residuals.empty()) return std::nullopt;
-  return MatchResiduals{static_cast<int>(residuals.size()), Median(residuals)};
+  const double scale = orb::ImageScale(map.camera().width(), map.camera().height());
+  return MatchResiduals{static_cast<int>(residuals.size()), Median(residuals),
+                        scale * options.max_median_px};
 }
 
 bool IsImplausible(const MatchResiduals& residuals, const MatchResidualOptions& options) {
   return residuals.num_matches >= options.min_matches &&
-         residuals.median_px > options.max_median_px;
+         residuals.median_px > residuals.max_median_px;
 }
 
 }  // namespace corvo

@@ -12,14 +12,17 @@ struct MatchResidualOptions {
   int max_keyframes = 10;        ///< Covisible keyframes whose landmarks are projected.
   double search_radius_px = 60;  ///< Radius around a projection, px of its octave.
   int max_distance = 65;         ///< Largest descriptor distance, bits.
-  int min_matches = 100;         ///< With fewer matches no median is implausible.
-  double max_median_px = 2;      ///< A larger median is implausible.
+  double max_ratio =
+      0.8;  ///< Of the distances to the best and second best match: a match must be unique.
+  int min_matches = 100;     ///< With fewer matches no median is implausible.
+  double max_median_px = 2;  ///< A larger median is implausible; times orb::ImageScale().
 };
 
 /// Distances between the projections of landmarks and their matched keypoints.
 struct MatchResiduals {
   int num_matches = 0;
-  double median_px = 0;  ///< Median in pixels of the input image.
+  double median_px = 0;      ///< Median in pixels of the input image.
+  double max_median_px = 2;  ///< A larger median is implausible.
 };
 
 /// Returns the residuals of matches that were not selected by their residual: the landmarks of each
