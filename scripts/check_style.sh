@@ -23,7 +23,8 @@ done < <(find CMakeLists.txt .ci/run "${folders[@]}" -type f -regex \
 # A file may include headers of its own layer and of those below.
 layer_of() {
   case $1 in
-    orb/* | vo/core/* | vo/lie/* | vo/math/*) echo 1 ;;
+    orb/*) echo 0 ;;
+    vo/core/* | vo/lie/* | vo/math/*) echo 1 ;;
     vo/camera/* | vo/geometry/*) echo 2 ;;
     vo/map/*) echo 3 ;;
     vo/optimization/*) echo 4 ;;
@@ -38,7 +39,6 @@ while IFS=: read -r file include; do
   header=$(sed -E 's/.*"(.*)".*/\1/' <<<"$include")
   [ "$(layer_of "$header")" -le "$(layer_of "$file")" ] || fail "$file includes $header, which is above it"
 done < <(grep -rE --include='*.h' --include='*.cpp' '^#include "(orb|vo|apps)/' orb vo apps)
-if grep -rnE '^#include "(vo|apps)/' orb; then fail "orb/ must not include headers of vo/ or apps/"; fi
 
 codespell || failed=1
 exit "$failed"

@@ -176,8 +176,8 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   std::vector<Frame> frames = initializer_->TakeFrames();
   Frame& first = frames[reference];
   Frame& second = frames.back();
-  const bool is_posed =
-      history_->IsPosed(first.index);  // In the previous segment; it keeps that pose.
+  // A frame that was posed in the previous segment keeps that pose.
+  const bool is_posed = history_->IsPosed(first.index);
   const std::optional<SO3> rotation = history_->RotationOf(first.index, map_);
   if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
   first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);
@@ -220,8 +220,7 @@ void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,
   FrameOutcome& outcome = history_->outcome(frame);
   ExplainUnposed(!map_.empty(), tracking, initialization, outcome);
   state_ = outcome.state;
-  const bool is_first = segment_ == kNoId;
-  if (ChainRotation(frame, initialization, is_first, map_, *history_)) {
+  if (ChainRotation(frame, initialization, segment_ == kNoId, map_, *history_)) {
     segment_ = std::max(segment_, 0);
     outcome.state = State::kRotationOnly;
     outcome.reason = initialization.reason;

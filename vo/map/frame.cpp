@@ -41,11 +41,14 @@ Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera&
   return frame;
 }
 
+bool IsMasked(const cv::Mat& mask, const orb::Keypoint& keypoint) {
+  return mask.at<uchar>(static_cast<int>(keypoint.y), static_cast<int>(keypoint.x)) == 0;
+}
+
 void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame) {
   std::vector<int> kept;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
-    const auto x = static_cast<int>(frame.keypoint(k).x), y = static_cast<int>(frame.keypoint(k).y);
-    if (mask.at<uchar>(y, x) != 0) kept.push_back(k);
+    if (!IsMasked(mask, frame.keypoint(k))) kept.push_back(k);
   }
   const auto select = [&](auto& values) {
     if (values.empty()) return;

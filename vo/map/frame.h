@@ -43,6 +43,9 @@ struct Frame {
 Frame MakeFrame(int index, TimeNs time_ns, orb::Features features, const Camera& camera,
                 std::vector<orb::Patch> patches = {});
 
+/// Returns whether `mask`, 8-bit and of the image's size, is zero at a keypoint.
+bool IsMasked(const cv::Mat& mask, const orb::Keypoint& keypoint);
+
 /// Removes the keypoints at which `mask`, 8-bit and of the image's size, is zero.
 void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame);
 

@@ -74,11 +74,8 @@ void CullMaskedLandmarks(const cv::Mat& mask, Map& map) {
   for (const KeyframeId id : map.ActiveKeyframes()) {
     const Frame& frame = map.keyframe(id).frame;
     for (int k = 0; k < frame.num_keypoints(); ++k) {
-      const cv::Point pixel(static_cast<int>(frame.keypoint(k).x),
-                            static_cast<int>(frame.keypoint(k).y));
-      if (frame.landmarks[k] != kNoId && mask.at<uchar>(pixel) == 0) {
-        map.RemoveLandmark(frame.landmarks[k]);
-      }
+      const LandmarkId landmark = frame.landmarks[k];
+      if (landmark != kNoId && IsMasked(mask, frame.keypoint(k))) map.RemoveLandmark(landmark);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -18,9 +19,14 @@ struct ReducedImage {
 /// What became of the content of one cell of a reference image in another image.
 struct CellMotion {
   bool is_textured = false;  ///< Otherwise nothing is known of the motion.
-  bool is_changed =
-      false;             ///< The content is not that of the reference, displaced by about a pixel.
+  /// The content is not that of the reference, displaced by at most about a pixel.
+  bool is_changed = false;
   float dx = 0, dy = 0;  ///< Displacement, px of the image.
+
+  float displacement() const { return std::hypot(dx, dy); }
+  bool IsStill(double max_displacement) const {
+    return is_textured && !is_changed && displacement() < max_displacement;
+  }
 };
 
 /// Measures small displacements of the cells of an image against a reference image: one linearized

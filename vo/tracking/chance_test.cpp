@@ -7,8 +7,8 @@ namespace corvo {
 namespace {
 
 constexpr double kRadiusPx = 3;  ///< Of the search, px of the octave.
-constexpr int kFreeMatches =
-    3;  ///< As many matches can be had by choosing the six parameters of a pose.
+/// As many matches can be had by choosing the six parameters of a pose.
+constexpr int kFreeMatches = 3;
 constexpr double kMaxLogFalseAlarms = -9.2;  ///< ln(1e-4): a chance pose in ten thousand frames.
 /// Displacements as shares of the size of the image: far enough to miss the landmarks.
 constexpr double kDisplacements[][2] = {{0.07, 0}, {-0.07, 0}, {0, 0.09}, {0, -0.09}};

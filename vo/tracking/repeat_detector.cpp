@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -30,10 +29,11 @@ struct Displacements {
     tangential.push_back((motion.dy * center.x - motion.dx * center.y) / radius);
   }
 
-  bool AreZero() {
-    return std::ranges::all_of(std::vector{&x, &y, &radial, &tangential}, [](auto* values) {
-      return std::abs(Median(std::move(*values))) < kMaxMedianDisplacement;
-    });
+  bool AreZero() const { return IsZero(x) && IsZero(y) && IsZero(radial) && IsZero(tangential); }
+
+ private:
+  static bool IsZero(const std::vector<double>& values) {
+    return std::abs(Median(values)) < kMaxMedianDisplacement;
   }
 };
 
@@ -43,9 +43,7 @@ bool IsRepeat(const CellDisplacement& reference, const ReducedImage& image) {
   Displacements still;
   for (int i = 0; i < static_cast<int>(motion.size()); ++i) {
     num_textured += motion[i].is_textured;
-    const bool is_still = motion[i].is_textured && !motion[i].is_changed &&
-                          std::hypot(motion[i].dx, motion[i].dy) < kMaxCellDisplacement;
-    if (is_still) still.Add(motion[i], reference.CenterOf(i));
+    if (motion[i].IsStill(kMaxCellDisplacement)) still.Add(motion[i], reference.CenterOf(i));
   }
   if (num_textured < kMinCells) {
     return cv::norm(reference.reference().pixels, image.pixels, cv::NORM_INF) == 0;

@@ -2,7 +2,6 @@
 #include "vo/tracking/static_overlay.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <opencv2/imgproc.hpp>
 
@@ -18,12 +17,8 @@ constexpr int kMaxScore = 20;        ///< Bounds how long a masked cell has to m
 constexpr int kMovedPenalty = 3;     ///< A cell that moves by chance is still in the next image.
 constexpr int kMaxComparisons = 15;  ///< After these the reference is replaced.
 
-bool IsStill(const CellMotion& motion) {
-  return !motion.is_changed && std::hypot(motion.dx, motion.dy) < kMaxStillDisplacement;
-}
-
 bool IsMoved(const CellMotion& motion) {
-  return motion.is_changed || std::hypot(motion.dx, motion.dy) > kMinMovedDisplacement;
+  return motion.is_changed || motion.displacement() > kMinMovedDisplacement;
 }
 
 }  // namespace
@@ -54,7 +49,8 @@ bool StaticOverlay::CountStill(const std::vector<CellMotion>& motion) {
   if (num_textured < kMinCells || num_moved < kMinMovedShare * num_textured) return false;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (!motion[i].is_textured) continue;
-    scores_[i] = std::clamp(scores_[i] + (IsStill(motion[i]) ? 1 : -kMovedPenalty), 0, kMaxScore);
+    const int evidence = motion[i].IsStill(kMaxStillDisplacement) ? 1 : -kMovedPenalty;
+    scores_[i] = std::clamp(scores_[i] + evidence, 0, kMaxScore);
   }
   return true;
 }
