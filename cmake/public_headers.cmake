@@ -21,6 +21,7 @@ set(corvo_public_headers
   vo/core/conventions.h
   vo/core/frame_result.h
   vo/core/options.h
+  vo/core/segment.h
   vo/core/stage_times.h
   vo/core/trajectory.h
   vo/evaluation/evaluation.h
@@ -54,4 +55,5 @@ set(corvo_public_headers
   vo/optimization/pose_optimizer.h
   vo/tracking/frame_matching.h
   vo/tracking/motion_model.h
+  vo/tracking/speed_history.h
 )

@@ -32,6 +32,7 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
       tracker_(std::make_unique<Tracker>(options)),
       relocalizer_(std::make_unique<Relocalizer>(options)),
       mapper_(std::make_unique<Mapper>(prior, options)),
+      speeds_(options.segment_start),
       history_(std::make_unique<FrameHistory>()) {}
 
 Odometry::Odometry(Odometry&&) noexcept = default;
@@ -147,7 +148,7 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
   previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
-  motion_.Update(previous_, frame);
+  UpdateMotion(previous_, frame);
   std::vector<Frame> frames = initializer_->TakeFrames();
   frames.push_back(std::move(frame));
   LocalizePendingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
@@ -181,8 +182,7 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   const std::optional<SO3> rotation = history_->RotationOf(first.index, map_);
   if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
   first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);
-  const InitialMap initial =
-      ScaleToMotion(*initialization.map, second.time_ns - first.time_ns, motion_);
+  const InitialMap initial = ScaleSegment(*initialization.map, first.time_ns, second.time_ns);
   const KeyframeId keyframe = mapper_->InsertInitialMap(initial, segment_, first, second, map_);
   history_->AddKeyframe(first.index, keyframe, map_);
   history_->AddKeyframe(second.index, keyframe + 1, map_);
@@ -190,11 +190,23 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   const int num_points = static_cast<int>(initial.points.size());
   if (!is_posed) RecordPosed(first, initialization.num_matches, num_points);
   RecordPosed(second, initialization.num_matches, num_points);
-  motion_.Update(first, second);
+  UpdateMotion(first, second);
   LocalizePendingFrames(frames, reference, 1);
   LocalizePendingFrames(frames, reference, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
+}
+
+InitialMap Odometry::ScaleSegment(InitialMap map, TimeNs first_ns, TimeNs second_ns) {
+  const std::optional<SpeedGuess> speed = speeds_.Predict(second_ns);
+  history_->SetScale(segment_, ScaleOf(speed));
+  speeds_.Clear();
+  return ScaleToSpeed(std::move(map), second_ns - first_ns, speed);
+}
+
+void Odometry::UpdateMotion(const Frame& earlier, const Frame& later) {
+  motion_.Update(earlier, later);
+  speeds_.Add(earlier, later);
 }
 
 void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, int step) {

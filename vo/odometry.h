@@ -20,6 +20,7 @@
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
 #include "vo/tracking/motion_model.h"
+#include "vo/tracking/speed_history.h"
 
 namespace corvo {
 
@@ -30,6 +31,7 @@ class Mapper;
 class Relocalizer;
 class Tracker;
 struct InitializationResult;
+struct InitialMap;
 struct MapUpdate;
 struct TrackingResult;
 
@@ -132,6 +134,10 @@ class Odometry {
   /// Passes a frame that could not be located to the initializer, whose map starts a segment.
   FrameResult Initialize(Frame frame, const TrackingResult& tracking);
   void StartSegment(const InitializationResult& initialization);
+  /// Scales the first map of the segment, whose frames were taken at the given times, to the speed
+  /// before the loss, and records how the scale came about.
+  InitialMap ScaleSegment(InitialMap map, TimeNs first_ns, TimeNs second_ns);
+  void UpdateMotion(const Frame& earlier, const Frame& later);
   /// Locates the frames after (step 1) or before (step -1) a located one, up to the next that has a
   /// pose.
   void LocalizePendingFrames(std::vector<Frame>& frames, int located, int step);
@@ -149,6 +155,7 @@ class Odometry {
   std::unique_ptr<Relocalizer> relocalizer_;
   std::unique_ptr<Mapper> mapper_;
   MotionModel motion_;
+  SpeedHistory speeds_;
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;

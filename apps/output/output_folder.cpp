@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/output_folder.h"
 
+#include <algorithm>
 #include <fstream>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStagingName = ".corvo-unfinished";
+
+/// Returns whether a name is "<prefix><digits><suffix>".
+bool IsNumbered(std::string_view name, std::string_view prefix, std::string_view suffix) {
+  if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+  if (name.size() <= prefix.size() + suffix.size()) return false;
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(suffix.size());
+  return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
 
 }  // namespace
 
@@ -41,6 +52,18 @@ void OutputFolder::Write(std::string_view name, std::string_view text) const {
   stream << text;
   stream.close();
   if (!stream) throw Error(fmt::format("{}: cannot be written", (folder_ / name).string()));
+}
+
+std::vector<std::string> OutputFolder::NumberedNames(std::string_view prefix,
+                                                     std::string_view suffix) const {
+  std::set<std::string> names;
+  for (const fs::path& folder : {folder_, staging_}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.is_regular_file() && IsNumbered(name, prefix, suffix)) names.insert(name);
+    }
+  }
+  return {names.begin(), names.end()};
 }
 
 void OutputFolder::Commit(const std::vector<std::string>& names) {

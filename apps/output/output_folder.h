@@ -24,6 +24,10 @@ class OutputFolder {
   /// Stages a file with the content `text`. Throws corvo::Error if it cannot be written.
   void Write(std::string_view name, std::string_view text) const;
 
+  /// Returns the names "<prefix><digits><suffix>" of files that are staged or that an earlier run
+  /// left in the folder, in order.
+  std::vector<std::string> NumberedNames(std::string_view prefix, std::string_view suffix) const;
+
   /// Moves the files in `names` into place. Files of these names that were not staged are removed,
   /// since they belong to an earlier run. The last file is removed first and moved last, so that
   /// its presence shows that the set is complete.

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/run_results.h"
 
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "apps/output/environment.h"
 #include "apps/output/map_ply.h"
 #include "apps/output/plot.h"
+#include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
@@ -22,15 +27,11 @@ PoseSequence PosedKeyframes(const Trajectory& trajectory) {
 }
 
 std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
-  std::vector<PoseSequence> segments;
-  int segment = kNoId;
-  for (const FrameResult& frame : trajectory.frames) {
-    if (!frame.world_from_camera) continue;
-    if (frame.segment != segment) segments.emplace_back();
-    segment = frame.segment;
-    segments.back().push_back({frame.time_ns, *frame.world_from_camera});
+  std::vector<PoseSequence> poses;
+  for (const Segment& segment : trajectory.Segments()) {
+    poses.push_back(PosesOf(segment, trajectory));
   }
-  return segments;
+  return poses;
 }
 
 /// Returns the plot of the estimate, together with the ground truth during the images' time span.
@@ -49,9 +50,29 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
   return plot;
 }
 
+constexpr const char* kSegmentPrefix = "trajectory_segment_";
+constexpr const char* kSegmentSuffix = ".tum";
+
+/// Writes trajectory.tum and, if there are several segments, marks them there and writes each to a
+/// file of its own, too.
+void WriteSegments(const Trajectory& trajectory, const OutputFolder& output) {
+  const std::vector<Segment> segments = trajectory.Segments();
+  if (segments.size() < 2) {
+    WriteTum(output.Stage("trajectory.tum"), trajectory.PosedFrames());
+    return;
+  }
+  std::vector<CommentedPoses> parts;
+  for (const Segment& segment : segments) {
+    parts.push_back({ToText(segment), PosesOf(segment, trajectory)});
+    const std::string name = fmt::format("{}{}{}", kSegmentPrefix, segment.index, kSegmentSuffix);
+    WriteTumParts(output.Stage(name), {parts.back()});
+  }
+  WriteTumParts(output.Stage("trajectory.tum"), parts);
+}
+
 void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output) {
   const PoseSequence poses = trajectory.PosedFrames();
-  WriteTum(output.Stage("trajectory.tum"), poses);
+  WriteSegments(trajectory, output);
   WriteEurocPoses(output.Stage("trajectory_euroc.csv"), poses);
   WriteTum(output.Stage("rotations.tum"), trajectory.Rotations());
   WriteTum(output.Stage("keyframes.tum"), PosedKeyframes(trajectory));
@@ -81,6 +102,19 @@ void WriteJson(const nlohmann::ordered_json& json, const char* name, const Outpu
   output.Write(name, json.dump(2) + "\n");
 }
 
+/// Returns the names of all result files, summary.json last, with those of an earlier run that has
+/// had more segments.
+std::vector<std::string> FileNames(const OutputFolder& output) {
+  std::vector<std::string> names = output.NumberedNames(kSegmentPrefix, kSegmentSuffix);
+  for (const char* name :
+       {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
+        "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv", "config.yaml",
+        "camera_estimated.yaml", "environment.json", "trajectory.png", "summary.json"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
@@ -97,10 +131,7 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
     spdlog::warn(
         "trajectory.png was not written: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
-  output.Commit({"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
-                 "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv",
-                 "config.yaml", "camera_estimated.yaml", "environment.json", "trajectory.png",
-                 "summary.json"});
+  output.Commit(FileNames(output));
 }
 
 }  // namespace corvo

@@ -12,6 +12,7 @@
 #include "apps/output/calibration_report.h"
 #include "apps/output/evaluation_report.h"
 #include "apps/output/reasons.h"
+#include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
 #include "orb/error.h"
 #include "orb/pyramid.h"
@@ -51,6 +52,14 @@ std::string OverlayText(const RunSummary& summary) {
   if (summary.masked_share < kMinShare) return "";
   return fmt::format("{:.0f}% of the image area moves with the camera and was excluded\n",
                      100 * summary.masked_share);
+}
+
+/// Returns one line for each segment if there are several.
+std::string SegmentsText(const RunSummary& summary) {
+  std::string text;
+  if (summary.segments.size() < 2) return text;
+  for (const Segment& segment : summary.segments) text += ToText(segment) + "\n";
+  return text;
 }
 
 /// Returns a histogram of the reasons, with advice on each.
@@ -128,7 +137,7 @@ void CountFrames(const Trajectory& trajectory, RunSummary& summary) {
   summary.num_frames = static_cast<int>(trajectory.frames.size());
   summary.num_posed = CountPosedFrames(trajectory);
   summary.num_rotations = static_cast<int>(trajectory.Rotations().size());
-  summary.num_segments = CountPosedSegments(trajectory);
+  summary.segments = trajectory.Segments();
   summary.reasons = CountReasons(trajectory);
   for (const FrameResult& frame : trajectory.frames) {
     ++summary.states[frame.state];
@@ -154,7 +163,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["rotations"] = summary.num_rotations;
   json["repeated"] = summary.num_repeated;
   json["masked_share"] = summary.masked_share;
-  json["segments"] = summary.num_segments;
+  json["segments"] = ToJson(summary.segments);
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
   if (summary.residuals) json["residuals"] = ToJson(*summary.residuals);
@@ -215,9 +224,10 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
   std::string text = fmt::format(
       "{}: {} frames, {} posed ({:.1f}%), {} segment{}, {} keyframes, {} landmarks\n",
       ToString(summary.outcome), summary.num_frames, summary.num_posed,
-      100 * Share(summary.num_posed, summary.num_frames), summary.num_segments,
-      summary.num_segments == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
-  text += OverlayText(summary) + ReasonsText(summary) + ToText(summary.calibration);
+      100 * Share(summary.num_posed, summary.num_frames), summary.segments.size(),
+      summary.segments.size() == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
+  text += SegmentsText(summary) + OverlayText(summary) + ReasonsText(summary) +
+          ToText(summary.calibration);
   if (summary.refinement) text += ToText(*summary.refinement);
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -22,10 +23,10 @@ struct RunSummary {
   Outcome outcome = Outcome::kDone;
   int num_frames = 0;
   int num_posed = 0;
-  int num_rotations = 0;    ///< Number of frames with a rotation, with or without a pose.
-  int num_repeated = 0;     ///< Number of frames whose image repeats that of an earlier one.
-  double masked_share = 0;  ///< Mean share of the image that moves with the camera, 0 to 1.
-  int num_segments = 0;
+  int num_rotations = 0;          ///< Number of frames with a rotation, with or without a pose.
+  int num_repeated = 0;           ///< Number of frames whose image repeats that of an earlier one.
+  double masked_share = 0;        ///< Mean share of the image that moves with the camera, 0 to 1.
+  std::vector<Segment> segments;  ///< The segments that have poses.
   int num_keyframes = 0;
   int num_landmarks = 0;
   std::map<State, int> states;

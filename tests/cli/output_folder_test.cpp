@@ -44,6 +44,19 @@ TEST(OutputFolder, RemovesTheFolderItCreatedWithoutCommit) {
   EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
+TEST(OutputFolder, ListsNumberedFilesOfThisRunAndOfAnEarlierOne) {
+  TempFolder folder;
+  for (const char* name :
+       {"part_0.txt", "part_2.txt", "part_x.txt", "part_.txt", "part_3.csv", "my_part_4.txt"}) {
+    WriteText(folder / name, "old");
+  }
+  OutputFolder output(folder.path());
+  output.Write("part_0.txt", "new");
+  output.Write("part_1.txt", "new");
+  EXPECT_THAT(output.NumberedNames("part_", ".txt"),
+              testing::ElementsAre("part_0.txt", "part_1.txt", "part_2.txt"));
+}
+
 TEST(OutputFolder, RemovesFilesOfAnEarlierRunThatAreNotWrittenAgain) {
   TempFolder folder;
   WriteText(folder / "image.png", "old");

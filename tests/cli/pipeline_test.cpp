@@ -28,6 +28,10 @@ int CountPoses(const fs::path& file) {
   return count;
 }
 
+int CountLines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
 /// Returns the z coordinate of the first point of a PLY file.
 double FirstVertex(const fs::path& ply) {
   std::istringstream text(ReadText(ply));
@@ -77,7 +81,10 @@ TEST_F(Pipeline, TracksEveryFrameOfAStreet) {
   EXPECT_EQ(CountPoses(Result() / "trajectory.tum"), kFrames);
   const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   EXPECT_EQ(summary["posed"], kFrames);
-  EXPECT_EQ(summary["segments"], 1);
+  ASSERT_EQ(summary["segments"].size(), 1u);
+  EXPECT_EQ(summary["segments"][0]["num_poses"], kFrames);
+  EXPECT_EQ(summary["segments"][0]["scale"]["from"], "arbitrary");
+  EXPECT_EQ(CountLines(ReadText(Result() / "trajectory.tum")), kFrames + 1) << "no further comment";
   EXPECT_LT(summary["evaluation"]["ate"]["percent_of_path"], 0.5);
   EXPECT_EQ(summary["trajectory_kitti"], "written");
   EXPECT_EQ(ReadKittiPoses(Result() / "trajectory.kitti").size(), kFrames);

@@ -210,6 +210,19 @@ TEST(OdometryTest, AfterACutANewSegmentContinuesTheOldOne) {
             trajectory.frames[13].world_from_camera->translation().x());
 }
 
+TEST(OdometryTest, ScaleOfANewSegmentStatesHowItCameAbout) {
+  std::vector<cv::Mat> drive = MakeDrive(15, 7);
+  for (const cv::Mat& image : MakeDrive(15, 20)) drive.push_back(image);
+  const std::vector<Segment> segments = RunDrive(drive, 1).Segments();
+  ASSERT_EQ(segments.size(), 2u);
+  EXPECT_EQ(segments[0].scale, SegmentScale());
+  EXPECT_EQ(segments[1].scale.source, ScaleSource::kMedianSpeed);
+  // A steady drive and a gap of more than a second: between the least possible growth and twice it.
+  const double growth = OdometryOptions().segment_start.speed_growth;
+  EXPECT_GT(segments[1].scale.factor.value(), std::exp(growth));
+  EXPECT_LT(segments[1].scale.factor.value(), std::exp(2 * growth));
+}
+
 TEST(OdometryTest, ANewSegmentGetsKeyframesLikeTheFirst) {
   std::vector<cv::Mat> drive = MakeDrive(25, 7);
   for (const cv::Mat& image : MakeDrive(25, 20)) drive.push_back(image);

@@ -203,6 +203,26 @@ struct RelocalizerOptions {
   }
 };
 
+/// Options for guessing the scale of a segment that starts after a loss.
+struct SegmentStartOptions {
+  double speed_window_s = 1.0;        // Long enough for a median, short enough for one motion.
+  int min_speeds = 5;                 // The spread of fewer values is hardly known.
+  double unknown_speed_spread = 0.3;  // docs/development/ablation.md
+  double speed_growth = 0.25;         // docs/development/ablation.md
+
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("speed_window_s", self.speed_window_s, 1e-3, 1e6,
+          "time before the loss whose median speed sets the scale of a new segment, s");
+    field("min_speeds", self.min_speeds, 1, 100000,
+          "number of speeds from which their spread is taken as it is");
+    field("unknown_speed_spread", self.unknown_speed_spread, 0.0, 10.0,
+          "least standard deviation of the logarithm of the speed if there are fewer speeds");
+    field("speed_growth", self.speed_growth, 0.0, 10.0,
+          "standard deviation by which the logarithm of a constant speed changes in a second");
+  }
+};
+
 /// Options that decide when a frame becomes a keyframe.
 struct KeyframeOptions {
   double max_tracked_share = 0.75;  // ablation
@@ -387,6 +407,7 @@ struct OdometryOptions {
   PoseOptimizerOptions pose_optimizer;
   TrackerOptions tracker;
   RelocalizerOptions relocalizer;
+  SegmentStartOptions segment_start;
   KeyframeOptions keyframes;
   LandmarkOptions landmarks;
   CullingOptions culling;
@@ -408,6 +429,7 @@ struct OdometryOptions {
     section("pose_optimizer", self.pose_optimizer);
     section("tracker", self.tracker);
     section("relocalizer", self.relocalizer);
+    section("segment_start", self.segment_start);
     section("keyframes", self.keyframes);
     section("landmarks", self.landmarks);
     section("culling", self.culling);

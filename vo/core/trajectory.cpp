@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "vo/core/trajectory.h"
 
+#include <cstddef>
+#include <map>
+
 namespace corvo {
 
 PoseSequence Trajectory::PosedFrames() const {
@@ -24,6 +27,25 @@ PoseSequence Trajectory::Rotations() const {
 double Trajectory::PosedShare() const {
   if (frames.empty()) return 0;
   return static_cast<double>(PosedFrames().size()) / static_cast<double>(frames.size());
+}
+
+std::vector<Segment> Trajectory::Segments() const {
+  std::map<int, Segment> by_index;
+  for (const FrameResult& frame : frames) {
+    if (!frame.world_from_camera) continue;
+    Segment& segment = by_index[frame.segment];
+    if (segment.num_poses == 0) segment.first_frame = frame.index;
+    segment.last_frame = frame.index;
+    ++segment.num_poses;
+  }
+  std::vector<Segment> segments;
+  for (auto& [index, segment] : by_index) {
+    segment.index = index;
+    const auto position = static_cast<std::size_t>(index);
+    if (index >= 0 && position < scales.size()) segment.scale = scales[position];
+    segments.push_back(segment);
+  }
+  return segments;
 }
 
 Trajectory Scale(double scale, Trajectory trajectory) {

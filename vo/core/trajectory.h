@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "vo/core/frame_result.h"
+#include "vo/core/segment.h"
 #include "vo/lie/se3.h"
 
 namespace corvo {
@@ -20,11 +21,14 @@ using PoseSequence = std::vector<TimedPose>;
 /// The results of all input frames, one per frame, in input order.
 struct Trajectory {
   std::vector<FrameResult> frames;
+  std::vector<SegmentScale> scales = {};  ///< By index of the segment; arbitrary if left out.
 
   PoseSequence PosedFrames() const;
   /// Returns the rotation of every frame that has one, posed or not, with a translation of zero.
   PoseSequence Rotations() const;
   double PosedShare() const;  ///< Share of frames that are posed, 0 to 1.
+  /// Returns the segments that have poses, in order.
+  std::vector<Segment> Segments() const;
 };
 
 /// Returns the trajectory with all translations multiplied by `scale`.

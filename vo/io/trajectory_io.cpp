@@ -92,6 +92,19 @@ TimedPose ParseEuroc(const Row& row) {
   return {ParseNanoseconds(row.fields[0], row.where), SE3(rotation, position)};
 }
 
+constexpr const char* kTumHeader = "# timestamp tx ty tz qx qy qz qw\n";
+
+std::string TumRows(const PoseSequence& poses) {
+  std::string text;
+  for (const TimedPose& pose : poses) {
+    const Eigen::Vector3d& t = pose.world_from_camera.translation();
+    const Eigen::Quaterniond& q = pose.world_from_camera.rotation().quaternion();
+    text += fmt::format("{} {} {} {} {} {} {} {}\n", FormatSeconds(pose.time_ns), t.x(), t.y(),
+                        t.z(), q.x(), q.y(), q.z(), q.w());
+  }
+  return text;
+}
+
 bool IsNan(const std::string& field) { return field == "NaN" || field == "nan"; }
 
 void WriteText(const fs::path& file, const std::string& text) {
@@ -118,13 +131,12 @@ PoseSequence ReadTumWithGaps(const fs::path& file) {
 }
 
 void WriteTum(const fs::path& file, const PoseSequence& poses) {
-  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
-  for (const TimedPose& pose : poses) {
-    const Eigen::Vector3d& t = pose.world_from_camera.translation();
-    const Eigen::Quaterniond& q = pose.world_from_camera.rotation().quaternion();
-    text += fmt::format("{} {} {} {} {} {} {} {}\n", FormatSeconds(pose.time_ns), t.x(), t.y(),
-                        t.z(), q.x(), q.y(), q.z(), q.w());
-  }
+  WriteText(file, kTumHeader + TumRows(poses));
+}
+
+void WriteTumParts(const fs::path& file, const std::vector<CommentedPoses>& parts) {
+  std::string text = kTumHeader;
+  for (const CommentedPoses& part : parts) text += "# " + part.comment + "\n" + TumRows(part.poses);
   WriteText(file, text);
 }
 

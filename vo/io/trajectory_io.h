@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "vo/core/conventions.h"
@@ -26,6 +27,15 @@ PoseSequence ReadTumWithGaps(const std::filesystem::path& file);
 /// Writes TUM's format: seconds with 9 decimals, and the other numbers in their shortest form that
 /// reads back unchanged.
 void WriteTum(const std::filesystem::path& file, const PoseSequence& poses);
+
+/// Poses under a comment.
+struct CommentedPoses {
+  std::string comment;  ///< One line, without `#`.
+  PoseSequence poses;
+};
+
+/// Writes parts of one trajectory like WriteTum(), one after the other, each after its comment.
+void WriteTumParts(const std::filesystem::path& file, const std::vector<CommentedPoses>& parts);
 
 /// Reads KITTI's format: the 12 numbers of [R t] on each line, row by row, world_from_camera; no
 /// times.

@@ -68,6 +68,11 @@ int FrameHistory::AddRepeat(TimeNs time_ns) {
   return outcome.index;
 }
 
+void FrameHistory::SetScale(int segment, const SegmentScale& scale) {
+  scales_.resize(std::max(scales_.size(), static_cast<std::size_t>(segment) + 1));
+  scales_[segment] = scale;
+}
+
 void FrameHistory::AddAdjustments(const UsedAdjustments& used) {
   FrameOutcome& outcome = records_.back().outcome;
   Update(used.window, outcome.window_adjustment);
@@ -178,7 +183,7 @@ FrameResult FrameHistory::ResultOf(int frame, const Map& map) const {
 }
 
 Trajectory FrameHistory::ToTrajectory(const Map& map) const {
-  Trajectory trajectory;
+  Trajectory trajectory{{}, scales_};
   for (int frame = 0; frame < size(); ++frame) trajectory.frames.push_back(ResultOf(frame, map));
   return trajectory;
 }

@@ -5,10 +5,12 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "vo/core/adjustment_status.h"
 #include "vo/core/conventions.h"
 #include "vo/core/frame_result.h"
+#include "vo/core/segment.h"
 #include "vo/core/trajectory.h"
 #include "vo/lie/se3.h"
 #include "vo/lie/so3.h"
@@ -37,6 +39,9 @@ class FrameHistory {
   /// A frame whose image repeats that of the last frame added by Add: it has that one's outcome and
   /// pose, also where these are found or change afterwards. Returns its index.
   int AddRepeat(TimeNs time_ns);
+
+  /// Records how the scale of a segment came about.
+  void SetScale(int segment, const SegmentScale& scale);
 
   FrameOutcome& outcome(int frame) { return records_[frame].outcome; }
 
@@ -93,6 +98,7 @@ class FrameHistory {
   void Join(Keyframes::iterator keyframe, const Map& map);
 
   std::deque<Record> records_;
+  std::vector<SegmentScale> scales_;  // By index of the segment.
   Keyframes keyframes_;
 };
 

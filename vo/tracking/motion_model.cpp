@@ -14,12 +14,4 @@ SE3 MotionModel::Predict(const Frame& from, TimeNs time_ns) const {
   return from.world_from_camera * earlier_from_later_.Power(steps);
 }
 
-std::optional<double> MotionModel::ExpectedDistance(TimeNs duration_ns) const {
-  if (step_ns_ == 0) return std::nullopt;
-  const double distance = earlier_from_later_.translation().norm() *
-                          static_cast<double>(duration_ns) / static_cast<double>(step_ns_);
-  if (!(distance > 0)) return std::nullopt;
-  return distance;
-}
-
 }  // namespace corvo

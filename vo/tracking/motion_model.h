@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "vo/core/conventions.h"
 #include "vo/lie/se3.h"
 #include "vo/map/frame.h"
@@ -18,10 +16,6 @@ class MotionModel {
   /// Returns the expected world_from_camera at `time_ns`, starting at a posed frame. Before the
   /// first Update(), this is the frame's own pose.
   SE3 Predict(const Frame& from, TimeNs time_ns) const;
-
-  /// Returns the distance that the camera is expected to move in `duration_ns`, or std::nullopt
-  /// before the first Update() and while the camera stands still.
-  std::optional<double> ExpectedDistance(TimeNs duration_ns) const;
 
  private:
   SE3 earlier_from_later_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "vo/tracking/segment_start.h"
 
+#include <cmath>
+
 namespace corvo {
 
 SE3 PredictFirstPose(const Frame& first, const std::optional<SO3>& world_from_first_rotation,
@@ -9,14 +11,20 @@ SE3 PredictFirstPose(const Frame& first, const std::optional<SO3>& world_from_fi
   return SE3(*world_from_first_rotation, previous.world_from_camera.translation());
 }
 
-InitialMap ScaleToMotion(InitialMap map, TimeNs baseline_ns, const MotionModel& motion) {
-  const std::optional<double> distance = motion.ExpectedDistance(baseline_ns);
-  if (!distance) return map;
-  const double scale = *distance / map.first_from_second.translation().norm();
+InitialMap ScaleToSpeed(InitialMap map, TimeNs baseline_ns,
+                        const std::optional<SpeedGuess>& speed) {
+  if (!speed) return map;
+  const double distance = speed->speed * 1e-9 * static_cast<double>(baseline_ns);
+  const double scale = distance / map.first_from_second.translation().norm();
   map.first_from_second =
       SE3(map.first_from_second.rotation(), scale * map.first_from_second.translation());
   for (InitialPoint& point : map.points) point.in_first *= scale;
   return map;
+}
+
+SegmentScale ScaleOf(const std::optional<SpeedGuess>& speed) {
+  if (!speed) return {};
+  return {ScaleSource::kMedianSpeed, std::exp(speed->log_sigma)};
 }
 
 }  // namespace corvo

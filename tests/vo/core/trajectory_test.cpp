@@ -32,6 +32,30 @@ TEST(TrajectoryTest, EmptyTrajectoryHasNoPosedFrames) {
   EXPECT_EQ(Trajectory().PosedShare(), 0);
 }
 
+FrameResult MakeFrame(int index, int segment, bool posed) {
+  FrameResult frame = MakeFrame(10 * index, posed);
+  frame.index = index;
+  frame.segment = segment;
+  return frame;
+}
+
+TEST(TrajectoryTest, SegmentsAreThoseOfPosedFramesWithTheirScales) {
+  Trajectory trajectory;
+  trajectory.frames = {MakeFrame(0, 0, false), MakeFrame(1, 0, true),  MakeFrame(2, 0, true),
+                       MakeFrame(3, 0, false), MakeFrame(4, 1, false), MakeFrame(5, 2, true)};
+  const SegmentScale guessed{ScaleSource::kMedianSpeed, 1.5};
+  trajectory.scales = {{}, {}, guessed};
+  EXPECT_THAT(trajectory.Segments(),
+              testing::ElementsAre(Segment{0, 1, 2, 2, {}}, Segment{2, 5, 5, 1, guessed}));
+  trajectory.scales.clear();
+  EXPECT_EQ(trajectory.Segments().back().scale, SegmentScale());
+}
+
+TEST(SegmentTest, SourcesOfTheScaleHaveNames) {
+  EXPECT_EQ(ToString(ScaleSource::kArbitrary), "arbitrary");
+  EXPECT_EQ(ToString(ScaleSource::kMedianSpeed), "median_speed");
+}
+
 TEST(FrameResultTest, StatesAndReasonsHaveUniqueNames) {
   EXPECT_EQ(ToString(State::kTracking), "tracking");
   EXPECT_EQ(ToString(Reason::kLowParallax), "low_parallax");

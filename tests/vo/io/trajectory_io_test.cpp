@@ -64,6 +64,19 @@ TEST(TumTest, RoundTripIsExactUpToNormalization) {
   }
 }
 
+TEST(TumTest, PartsFollowTheirCommentsAndAreReadAsOneTrajectory) {
+  const test::TemporaryDir dir;
+  const TimedPose first{1'000'000'000, SE3()}, second{2'000'000'000, SE3(SO3(), {1, 0, 0})};
+  WriteTumParts(dir.path() / "a.tum", {{"part 0", {first}}, {"part 1", {second}}});
+  EXPECT_EQ(test::ReadFile(dir.path() / "a.tum"),
+            "# timestamp tx ty tz qx qy qz qw\n"
+            "# part 0\n1.000000000 0 0 0 0 0 0 1\n"
+            "# part 1\n2.000000000 1 0 0 0 0 0 1\n");
+  const PoseSequence back = ReadTum(dir.path() / "a.tum");
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[1].world_from_camera, second.world_from_camera);
+}
+
 TEST(TumTest, EmptyTrajectoryRoundTrips) {
   const test::TemporaryDir dir;
   WriteTum(dir.path() / "a.tum", {});

@@ -19,7 +19,6 @@ TEST(MotionModelTest, PredictsTheSamePoseBeforeAnyMotionIsKnown) {
   const SE3 pose(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
   const MotionModel motion;
   EXPECT_THAT(motion.Predict(PosedFrame(5, pose), 100), test::IsPoseNear(pose, 1e-12, 1e-12));
-  EXPECT_FALSE(motion.ExpectedDistance(100));
 }
 
 TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
@@ -32,13 +31,6 @@ TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
   EXPECT_THAT(motion.Predict(later, 100), test::IsPoseNear(start, 1e-9, 1e-9));
   EXPECT_THAT(motion.Predict(later, 250),
               test::IsPoseNear(start * step * step.Power(0.5), 1e-9, 1e-9));
-  EXPECT_NEAR(*motion.ExpectedDistance(300), 3 * step.translation().norm(), 1e-12);
-}
-
-TEST(MotionModelTest, ExpectsNoDistanceIfTheCameraDoesNotTranslate) {
-  MotionModel motion;
-  motion.Update(PosedFrame(100, SE3()), PosedFrame(200, SE3(SO3::Exp({0, 0.1, 0}), {0, 0, 0})));
-  EXPECT_FALSE(motion.ExpectedDistance(100));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "vo/tracking/segment_start.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "tests/support/matchers.h"
@@ -35,18 +37,25 @@ TEST(SegmentStartTest, FirstFrameOfKnownRotationKeepsThePreviousPosition) {
   EXPECT_THAT(pose, test::IsPoseNear(SE3(rotation, {0, 0, 2}), 1e-9, 1e-9));
 }
 
-TEST(SegmentStartTest, MapIsScaledToTheLastKnownSpeed) {
+TEST(SegmentStartTest, MapIsScaledToTheGuessedSpeed) {
   const InitialMap map{SE3(SO3(), {0.1, 0, 0}), {{0, 0, {1, 2, 3}}}};
-  const InitialMap scaled = ScaleToMotion(map, 200, DriveForward());
+  const InitialMap scaled = ScaleToSpeed(map, 200'000'000, SpeedGuess{20, 0.5});
   EXPECT_NEAR(scaled.first_from_second.translation().x(), 4, 1e-12);
   EXPECT_THAT(scaled.points[0].in_first, test::IsMatrixNear(Eigen::Vector3d(40, 80, 120), 1e-9));
 }
 
 TEST(SegmentStartTest, MapKeepsItsScaleIfNoSpeedIsKnown) {
   const InitialMap map{SE3(SO3(), {0.1, 0, 0}), {{0, 0, {1, 2, 3}}}};
-  const InitialMap same = ScaleToMotion(map, 200, MotionModel());
+  const InitialMap same = ScaleToSpeed(map, 200, std::nullopt);
   EXPECT_EQ(same.first_from_second, map.first_from_second);
   EXPECT_EQ(same.points[0].in_first, map.points[0].in_first);
+}
+
+TEST(SegmentStartTest, ScaleStatesItsOriginAndItsFactor) {
+  const SegmentScale guessed = ScaleOf(SpeedGuess{20, std::log(1.5)});
+  EXPECT_EQ(guessed.source, ScaleSource::kMedianSpeed);
+  EXPECT_NEAR(guessed.factor.value(), 1.5, 1e-12);
+  EXPECT_EQ(ScaleOf(std::nullopt), (SegmentScale{ScaleSource::kArbitrary, std::nullopt}));
 }
 
 }  // namespace

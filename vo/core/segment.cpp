@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "vo/core/segment.h"
+
+namespace corvo {
+
+std::string_view ToString(ScaleSource source) {
+  switch (source) {
+    case ScaleSource::kArbitrary:
+      return "arbitrary";
+    case ScaleSource::kMedianSpeed:
+      return "median_speed";
+  }
+  return "unknown";
+}
+
+}  // namespace corvo
