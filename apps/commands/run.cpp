@@ -31,6 +31,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo run 'images/left*.png' --camera camera.yaml --every 2 --resize 0.5 -o result
   corvo run drive.mp4 --camera phone.yaml --mask bonnet.png -o result
   corvo run images/ --focal auto -o result            # without a calibration
+  corvo run images/ --fov 70 -o result                # ... with the lens's field of view
   corvo run sequences/03 --refine -o result           # with global refinement at the end
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 

@@ -10,6 +10,7 @@
 #include "apps/dataset/tum_mono_sequence.h"
 #include "apps/run/camera_start.h"
 #include "apps/run/sequence_stream.h"
+#include "apps/run/stated_focal.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
 #include "vo/io/text_lines.h"
@@ -18,6 +19,7 @@ namespace corvo {
 namespace {
 
 constexpr double kDefaultFrameRateHz = 30.0;
+constexpr const char* kAuto = "auto";
 
 /// Returns the camera given by --camera, if any: a camera file, or the camera.txt of a TUM-mono
 /// sequence.
@@ -32,8 +34,9 @@ double DefaultFrameRate(const std::optional<CameraFile>& file) {
 }
 
 [[noreturn]] void ThrowNoCamera(const RunArguments& arguments, const cv::Size& size) {
-  std::string message = fmt::format("{}: ships no calibration; give --camera FILE, or --focal auto",
-                                    arguments.input.string());
+  std::string message =
+      fmt::format("{}: ships no calibration; give --camera FILE, --fov DEGREES, or --focal auto",
+                  arguments.input.string());
   const std::vector<std::filesystem::path> cameras = FindShippedCameras(size.width, size.height);
   if (!cameras.empty()) {
     message += fmt::format("; camera files for {} x {} px:", size.width, size.height);
@@ -74,10 +77,12 @@ OdometryOptions ReadRunOptions(const RunArguments& arguments) {
 }
 
 void CheckFocal(const RunArguments& arguments) {
-  if (arguments.focal.empty() || !IsLiveInput(arguments.input.string())) return;
+  if (arguments.focal.empty()) return;
+  CheckFocalText(arguments.focal);
+  if (arguments.focal != kAuto || !IsLiveInput(arguments.input.string())) return;
   throw Error(
       fmt::format("--focal auto: {} is a live camera, which cannot be read twice; give --camera "
-                  "FILE, or a recording",
+                  "FILE, --fov DEGREES, or a recording",
                   arguments.input.string()));
 }
 
@@ -95,21 +100,43 @@ ImageSource OpenPreparedImages(const RunArguments& arguments) {
   return images;
 }
 
-/// Returns the given camera, or the one calibrated from the images if requested, or else the
-/// dataset's.
+/// Returns the given camera, or the one calibrated from the images or stated by its focal length if
+/// requested, or else the dataset's.
 CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<CameraFile>& named,
                        const OdometryOptions& options, const Interruption& interruption,
                        ImageSource& source) {
   if (named) return named->Prior(options.calibration);
-  if (!arguments.focal.empty()) {
+  if (arguments.focal == kAuto) {
     SelfCalibrationOptions calibration;
     calibration.odometry = options;
     calibration.threads = arguments.threads;
     return FindSequenceCamera(ToStreamOpener([&] { return OpenPreparedImages(arguments); }),
                               calibration, interruption);
   }
-  if (!source.list().camera) ThrowNoCamera(arguments, source.First().image.size());
+  const cv::Size size = source.First().image.size();
+  if (const auto focal_px = StatedFocal(arguments.focal, arguments.fov_deg, size.width)) {
+    return StatedFocalPrior(*focal_px, size);
+  }
+  if (!source.list().camera) ThrowNoCamera(arguments, size);
   return MakePrior(*source.list().camera, options.calibration);
+}
+
+void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& arguments) {
+  CLI::Option* const focal =
+      command
+          .add_option("--focal", arguments.focal,
+                      "auto: calibrate the camera from the images, by a focal length search and a "
+                      "first pass over at most 500 images; or the approximate focal length of the "
+                      "images (before --resize), px; overrides the dataset's calibration")
+          ->type_name("auto|PX")
+          ->excludes(camera);
+  command
+      .add_option("--fov", arguments.fov_deg,
+                  "approximate horizontal field of view, degrees; overrides the dataset's "
+                  "calibration")
+      ->check(CLI::Range(kMinStatedFovDeg, kMaxStatedFovDeg))
+      ->excludes(camera)
+      ->excludes(focal);
 }
 
 }  // namespace
@@ -145,13 +172,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   CLI::Option* const camera =
       command.add_option("--camera", arguments.camera,
                          "camera file or TUM-mono camera.txt; overrides the dataset's calibration");
-  command
-      .add_option(
-          "--focal", arguments.focal,
-          "auto: calibrate the camera from the images, by a focal length search and a first "
-          "pass over at most 500 images; overrides the dataset's calibration")
-      ->check(CLI::IsMember({"auto"}))
-      ->excludes(camera);
+  AddFocalOptions(command, camera, arguments);
   command
       .add_option("--fps", arguments.frame_rate_hz,
                   "frame rate of images without timestamps, Hz; overrides a video's timestamps")

@@ -21,7 +21,9 @@ struct RunArguments {
   std::filesystem::path output;
   std::filesystem::path config;
   std::filesystem::path camera;
-  std::string focal;               ///< "auto" to calibrate the camera from the images, or empty.
+  /// "auto" to calibrate the camera from the images, a focal length in px, or empty.
+  std::string focal;
+  std::optional<double> fov_deg;   ///< Horizontal field of view.
   std::filesystem::path truth;     ///< "none" disables the dataset's ground truth, too.
   std::optional<double> max_dt_s;  ///< Maximum time difference of compared poses; see HalfFrame().
   std::filesystem::path mask;

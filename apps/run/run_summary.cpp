@@ -91,7 +91,9 @@ std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
 }
 
 std::string CameraSource(const RunArguments& arguments) {
-  if (!arguments.focal.empty()) return "focal search";
+  if (arguments.focal == "auto") return "focal search";
+  if (!arguments.focal.empty()) return "--focal " + arguments.focal;
+  if (arguments.fov_deg) return fmt::format("--fov {}", *arguments.fov_deg);
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
 }
 

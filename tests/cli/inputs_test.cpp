@@ -414,6 +414,24 @@ TEST_F(PreparedInputs, AcceptTheCameraFileOfTumMono) {
             ReadTumMonoCamera(folder_ / "camera.txt"));
 }
 
+TEST_F(PreparedInputs, StatedFocalLengthIsThatOfTheImagesBeforeTheyAreResized) {
+  arguments_.camera.clear();
+  arguments_.focal = "80";
+  arguments_.resize = "0.5";
+  const CameraPrior prior = ReadInputs(arguments_, Interruption()).camera;
+  EXPECT_EQ(prior, StatedFocalPrior(80, {kTinyWidth, kTinyHeight}).Resized(48, 32));
+  EXPECT_EQ(prior.given.fx, 40);
+}
+
+TEST_F(PreparedInputs, StatedFieldOfViewOverridesTheDatasetsCalibration) {
+  test::WriteKitti(folder_ / "kitti", 2);
+  arguments_.input = folder_ / "kitti";
+  arguments_.camera.clear();
+  EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given.fx, 80);
+  arguments_.fov_deg = 90;
+  EXPECT_NEAR(ReadInputs(arguments_, Interruption()).camera.given.fx, 48, 1e-9);
+}
+
 TEST_F(PreparedInputs, FocalSearchCanBeInterrupted) {
   const Interruption interruption;
   raise(SIGINT);

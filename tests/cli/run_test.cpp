@@ -200,7 +200,7 @@ TEST_F(Run, RecognizesEveryLayout) {
 
 TEST_F(Run, RequiresACameraIfTheDatasetShipsNone) {
   ExpectError(RunCorvo({"run", images_, "-o", result_}),
-              "ships no calibration; give --camera FILE, or --focal auto");
+              "ships no calibration; give --camera FILE, --fov DEGREES, or --focal auto");
   for (int i = 0; i < 5; ++i) {
     WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 640, 480));
   }
@@ -211,8 +211,52 @@ TEST_F(Run, RejectsTheFocalSearchOfALiveOrCalibratedCamera) {
   ExpectError(RunCorvo({"run", "camera:97", "--focal", "auto", "-o", result_}),
               "--focal auto: camera:97 is a live camera");
   EXPECT_THAT(RunHere({"--focal", "auto"}).err, HasSubstr("--camera excludes --focal"));
-  EXPECT_THAT(RunCorvo({"run", images_, "--focal", "500", "-o", result_}).err,
-              HasSubstr("--focal"));
+}
+
+TEST_F(Run, StatedFocalLengthOrFieldOfViewReplacesTheCameraFile) {
+  const auto run = [&](const std::vector<std::string>& stated) {
+    std::vector<std::string> arguments = {"run", images_, "-o", result_};
+    arguments.insert(arguments.end(), stated.begin(), stated.end());
+    EXPECT_EQ(RunCorvo(arguments).exit_code, kNeverInitialized) << stated.front();
+    return Summary();
+  };
+  const nlohmann::json by_focal = run({"--focal", "80"});
+  EXPECT_EQ(by_focal["camera_source"], "--focal 80");
+  EXPECT_EQ(by_focal["camera"]["fx"], 80.0);
+  EXPECT_EQ(by_focal["camera"]["fy"], 80.0);
+  EXPECT_EQ(by_focal["camera"]["cx"], 47.5);
+  EXPECT_EQ(by_focal["camera"]["cy"], 31.5);
+  EXPECT_EQ(by_focal["calibration"]["fx"]["given"], 80.0);
+  const nlohmann::json by_fov = run({"--fov", "90", "--resize", "0.5"});
+  EXPECT_EQ(by_fov["camera_source"], "--fov 90");
+  EXPECT_NEAR(by_fov["camera"]["fx"], 24, 1e-9);
+}
+
+/// The room was rendered with a focal length of 262.5 px.
+TEST_F(Run, StatedFocalLengthIsRefinedUnlessItIsFixed) {
+  RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100", "--width", "320"});
+  const auto estimate = [&](const std::string& calibration) {
+    RunCorvo({"run", folder_ / "room", "--gt", "none", "--focal", "275", "--calibration",
+              calibration, "-o", result_});
+    return ReadCameraFile(result_ / "camera_estimated.yaml").camera.fx();
+  };
+  EXPECT_NEAR(estimate("estimate"), 262.5, 6);
+  EXPECT_EQ(estimate("fixed"), 275);
+}
+
+TEST_F(Run, ErrorsNameAStatedFocalLengthOutOfRange) {
+  const auto run = [&](const std::vector<std::string>& stated) {
+    std::vector<std::string> arguments = {"run", images_, "-o", result_};
+    arguments.insert(arguments.end(), stated.begin(), stated.end());
+    return RunCorvo(arguments);
+  };
+  ExpectError(run({"--focal", "5"}), "--focal is 5; allowed is 12.9 to 1099.4 px");
+  ExpectError(run({"--focal", "wide"}), "--focal is \"wide\"; allowed is auto, or a focal length");
+  EXPECT_THAT(run({"--fov", "200"}).err, HasSubstr("--fov: Value 200 not in range 5.0"));
+  EXPECT_THAT(run({"--fov", "70", "--focal", "80"}).err, HasSubstr("excludes --f"));
+  EXPECT_THAT(RunHere({"--fov", "70"}).err, HasSubstr("--camera excludes --fov"));
+  EXPECT_EQ(RunHere({"--fov", "70"}).exit_code, kBadInput);
+  EXPECT_FALSE(fs::exists(result_));
 }
 
 TEST_F(Run, WarnsIfImagesDoNotDetermineTheFocalLength) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "orb/error.h"
+#include "vo/camera/centered_pinhole.h"
 #include "vo/core/option_fields.h"
 #include "vo/geometry/epipolar_motion.h"
 #include "vo/geometry/ray_match.h"
@@ -24,12 +24,8 @@
 namespace corvo {
 namespace {
 
-double FocalOf(double fov_deg, double width) {
-  return 0.5 * width / std::tan(fov_deg * std::numbers::pi / 360);
-}
-
 FocalCandidate MakeCandidate(double focal, double width, double cost) {
-  return {focal, 2 * std::atan(0.5 * width / focal) * 180 / std::numbers::pi, cost};
+  return {focal, FovOfFocal(focal, width), cost};
 }
 
 std::optional<Eigen::Matrix3d> FindFundamental(const PixelMatches& matches, double max_error_px) {
@@ -277,16 +273,6 @@ double SpreadVariance(const Sweep& sweep, double focal, double inflation) {
   return sum / weights;
 }
 
-CameraParameters CenteredPinhole(double focal, int width, int height) {
-  CameraParameters camera;
-  camera.width = width;
-  camera.height = height;
-  camera.fx = camera.fy = focal;
-  camera.cx = 0.5 * (width - 1);
-  camera.cy = 0.5 * (height - 1);
-  return camera;
-}
-
 /// The coarse and the fine sweep over the focal lengths.
 class FocalSearch {
  public:
@@ -301,8 +287,8 @@ class FocalSearch {
 
   void Run(FocalSearchResult& result) const {
     const double width = result.camera.width;
-    const Sweep coarse = MakeSweep(FocalOf(options_.min_fov_deg, width),
-                                   FocalOf(options_.max_fov_deg, width), options_.num_coarse);
+    const Sweep coarse = MakeSweep(FocalOfFov(options_.min_fov_deg, width),
+                                   FocalOfFov(options_.max_fov_deg, width), options_.num_coarse);
     for (std::size_t i = 0; i < coarse.focals.size(); ++i) {
       result.sweep.push_back(MakeCandidate(coarse.focals[i], width, coarse.Total(i)));
     }
@@ -344,7 +330,7 @@ FocalSearchResult SearchFocal(const std::vector<PixelMatches>& pairs, int width,
                               const FocalSearchOptions& options) {
   options.Validate();
   FocalSearchResult result;
-  result.camera = CenteredPinhole(FocalOf(options.unknown_fov_deg, width), width, height);
+  result.camera = CenteredPinhole(FocalOfFov(options.unknown_fov_deg, width), width, height);
   result.camera.Validate();
   const Eigen::Vector2d center(result.camera.cx, result.camera.cy);
   std::vector<Pair> usable;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "orb/error.h"
+#include "vo/camera/centered_pinhole.h"
 #include "vo/core/option_fields.h"
 #include "vo/odometry.h"
 #include "vo/offline/observation_log.h"
@@ -93,11 +94,10 @@ class PairCollector {
   std::vector<PixelMatches> pairs_;
 };
 
-CameraPrior MakeFocalPrior(const FocalSearchResult& search, const SelfCalibrationOptions& options) {
-  const double center_sigma_px = options.center_sigma_share * search.camera.width;
-  const double focal_sigma =
-      std::clamp(search.focal_sigma, options.min_focal_sigma, options.max_focal_sigma);
-  return {search.camera,
+CameraPrior MakeFocalPrior(const CameraParameters& camera, double focal_sigma,
+                           const SelfCalibrationOptions& options) {
+  const double center_sigma_px = options.center_sigma_share * camera.width;
+  return {camera,
           {{"focal", focal_sigma},
            {"cx", center_sigma_px},
            {"cy", center_sigma_px},
@@ -116,7 +116,9 @@ CameraStart SearchStart(const std::vector<StreamOpener>& sequences,
   CameraStart start;
   const cv::Size size = collector.size();
   start.search = SearchFocal(collector.pairs(), size.width, size.height, options.focal_search);
-  start.prior = MakeFocalPrior(start.search, options);
+  const double focal_sigma =
+      std::clamp(start.search.focal_sigma, options.min_focal_sigma, options.max_focal_sigma);
+  start.prior = MakeFocalPrior(start.search.camera, focal_sigma, options);
   return start;
 }
 
@@ -211,6 +213,14 @@ void SelfCalibrationOptions::Validate() const {
   candidates.Validate();
   CheckFields("self_calibration", *this);
   CheckRange("self_calibration.max_focal_sigma", max_focal_sigma, min_focal_sigma, 10.0);
+}
+
+CameraPrior StatedFocalPrior(double focal_px, const cv::Size& size,
+                             const SelfCalibrationOptions& options) {
+  options.Validate();
+  const CameraParameters camera = CenteredPinhole(focal_px, size.width, size.height);
+  camera.Validate();
+  return MakeFocalPrior(camera, options.stated_focal_sigma, options);
 }
 
 std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequences,

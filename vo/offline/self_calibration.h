@@ -40,6 +40,7 @@ struct SelfCalibrationOptions {
   double max_focal_change = 0.01;    // ablation
   double min_focal_sigma = 0.1;      // docs/calibration.md
   double max_focal_sigma = 0.5;      // Larger values leave the focal length free.
+  double stated_focal_sigma = 0.05;  // A data sheet's, in video that may be cropped.
   double k1_sigma = 0.1;             // docs/calibration.md
   double k2_sigma = 0.05;            // docs/calibration.md
   double center_sigma_share = 0.01;  // docs/calibration.md
@@ -57,6 +58,8 @@ struct SelfCalibrationOptions {
           "least standard deviation of a focal length that was searched, as a share of it");
     field("max_focal_sigma", self.max_focal_sigma, 1e-6, 10.0,
           "largest standard deviation of a focal length that was searched, as a share of it");
+    field("stated_focal_sigma", self.stated_focal_sigma, 1e-6, 10.0,
+          "standard deviation of a focal length that the user states, as a share of it");
     field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "standard deviation of k1 before the first image");
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "standard deviation of k2 before the first image");
     field("center_sigma_share", self.center_sigma_share, 1e-6, 1.0,
@@ -66,6 +69,13 @@ struct SelfCalibrationOptions {
   /// Throws corvo::Error naming the first field out of range.
   void Validate() const;
 };
+
+/// Returns the prior of a camera of which only the focal length is stated: a pinhole with the
+/// principal point in the image center. The standard deviation of the focal length is
+/// `stated_focal_sigma`, the others are those of FindFocalLength(). Throws corvo::Error if the
+/// focal length or an option is out of range.
+CameraPrior StatedFocalPrior(double focal_px, const cv::Size& size,
+                             const SelfCalibrationOptions& options = {});
 
 /// An initial camera, with the search for its focal length.
 struct CameraStart {
