@@ -8,6 +8,7 @@
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/shipped_cameras.h"
 #include "apps/dataset/tum_mono_sequence.h"
+#include "apps/run/camera_check.h"
 #include "apps/run/camera_start.h"
 #include "apps/run/sequence_stream.h"
 #include "apps/run/stated_focal.h"
@@ -139,6 +140,13 @@ void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& argum
       ->excludes(focal);
 }
 
+/// Returns the warnings about the camera if it was given as numbers: by a file or by the dataset.
+std::vector<std::string> CheckGivenCamera(const RunArguments& arguments,
+                                          const CameraParameters& camera) {
+  if (!arguments.focal.empty() || arguments.fov_deg) return {};
+  return CheckCamera(arguments.camera.empty() ? arguments.input : arguments.camera, camera);
+}
+
 }  // namespace
 
 cv::Size ParseResize(const std::string& text, const cv::Size& size) {
@@ -194,12 +202,13 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
                                   DefaultFrameRate(named), arguments.selection);
   const TimedImage& first = source.First();
   const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);
+  std::vector<std::string> warnings = CheckGivenCamera(arguments, camera.given);
   const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
   source.Prepare({size, resized, OpenMasks(arguments, first)});
   RunTruth truth = ReadTruth(arguments, source.list());
   return {options, camera.Resized(resized.width, resized.height), std::move(source),
-          std::move(truth)};
+          std::move(truth), std::move(warnings)};
 }
 
 }  // namespace corvo

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -43,6 +44,7 @@ struct RunInputs {
   CameraPrior camera;  ///< Camera of the images as `source` returns them, after resizing.
   ImageSource source;
   RunTruth truth;
+  std::vector<std::string> warnings;  ///< Of values of the given camera that are unusual.
 };
 
 /// Adds --start, --every and --count.
@@ -51,7 +53,8 @@ void AddSelectionOptions(CLI::App& command, Selection& selection);
 /// Adds INPUT and the options that select the images and their camera.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
-/// Reads and checks all inputs, including that the first image has the camera's size. Calibrates
+/// Reads and checks all inputs, including that the first image has the camera's size and that a
+/// given camera is plausible (see CheckCamera()). Calibrates
 /// the camera from the images if requested. Throws corvo::Error, and Interrupted if an interruption
 /// was requested.
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption);

@@ -210,6 +210,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   AddInputJson(arguments, json);
   json["camera_source"] = CameraSource(arguments);
   json["camera"] = CameraJson(inputs.camera.given);
+  json["warnings"] = inputs.warnings;
   json["calibration"] = ToJson(summary.calibration);
   if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
   AddCountsJson(summary, json);

@@ -287,6 +287,48 @@ TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   EXPECT_EQ(ReadFile(result_ / "trajectory.tum"), ReadFile(result_ / "again/trajectory.tum"));
 }
 
+TEST_F(Run, RejectsACameraThatCannotBeRight) {
+  const auto error = [&](const std::string& values) {
+    WriteText(camera_, "model: pinhole\nwidth: 96\nheight: 64\n" + values);
+    return RunHere();
+  };
+  ExpectError(error("fx: 0.8\nfy: 1.2\ncx: 0.5\ncy: 0.5\n"),
+              "camera.yaml: camera.fx is 0.8; allowed");
+  ExpectError(error("fx: 80\nfy: 80\ncx: 0\ncy: 0\n"), "camera.yaml: camera.cx is 0; allowed");
+  ExpectError(error("fx: 160\nfy: 160\ncx: 97\ncy: 63\n"), "images of twice the size");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Run, WarnsOfAnUnusualCameraAndRunsWithIt) {
+  WriteText(camera_, "model: pinhole\nwidth: 96\nheight: 64\nfx: 40\nfy: 40\ncx: 23.5\ncy: 15.5\n");
+  const CommandResult result = RunHere();
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  const std::string warning = camera_.string() + ": camera.cx is 23.5 px, far from the center";
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("corvo: warning: " + warning), HasSubstr("images of half the size")));
+  ASSERT_EQ(Summary()["warnings"].size(), 1u);
+  EXPECT_THAT(Summary()["warnings"][0], StartsWith(warning));
+}
+
+TEST_F(Run, ChecksTheCameraBeforeImagesAreResized) {
+  WriteText(camera_, "model: pinhole\nwidth: 96\nheight: 64\nfx: 25\nfy: 25\ncx: 47.5\ncy: 31.5\n");
+  const CommandResult result = RunHere({"--resize", "16x16"});
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_LT(Summary()["camera"]["fx"], 5);
+  EXPECT_THAT(Summary()["warnings"], IsEmpty());
+}
+
+TEST_F(Run, WarnsOfAnUnusualCameraOfADataset) {
+  WriteKitti(folder_ / "kitti", 2);
+  WriteText(folder_ / "kitti/calib.txt", "P0: 80 0 23.5 0 0 81 31.5 0 0 0 1 0\n");
+  const CommandResult result = RunCorvo({"run", folder_ / "kitti", "-o", result_});
+  EXPECT_THAT(result.err, HasSubstr("kitti: camera.cx is 23.5 px"));
+  EXPECT_EQ(Summary()["warnings"].size(), 1u);
+  EXPECT_THAT(RunCorvo({"run", folder_ / "kitti", "--fov", "70", "-o", result_}).err, IsEmpty());
+  EXPECT_THAT(Summary()["warnings"], IsEmpty());
+}
+
 TEST_F(Run, ErrorsNameTheInvalidInput) {
   ExpectError(RunCorvo({"run", folder_ / "none", "-o", result_}), "none: no such folder");
   ExpectError(RunHere({"--gt", folder_ / "none.txt"}), "none.txt");

@@ -81,6 +81,7 @@ TEST_P(ShippedCamera, RunsOnImagesOfItsSize) {
   const CommandResult result =
       RunCorvo({"run", folder_ / "images", "--camera", file_, "-o", folder_ / "out"});
   EXPECT_EQ(result.exit_code, kNeverInitialized) << result.err;
+  EXPECT_THAT(result.err, testing::IsEmpty()) << "a warning about a shipped camera";
 }
 
 INSTANTIATE_TEST_SUITE_P(Configs, ShippedOptions, testing::ValuesIn(Shipped(false)), TestName);
