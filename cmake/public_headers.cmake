@@ -40,10 +40,12 @@ set(corvo_public_headers
   vo/map/observation_callback.h
   vo/map/observation_recorder.h
   vo/odometry.h
+  vo/offline/calibration_check.h
   vo/offline/camera_selection.h
   vo/offline/focal_search.h
   vo/offline/image_pairs.h
   vo/offline/image_stream.h
+  vo/offline/map_camera.h
   vo/offline/match_residuals.h
   vo/offline/observation_log.h
   vo/offline/refiner.h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/camera_start.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,7 +38,7 @@ CalibrationProgress ShowCalibration(int num_sequences, const Interruption& inter
 }
 
 void ReportFocalSearch(const CameraStart& start) {
-  const auto& [search, prior] = start;
+  const FocalSearchResult& search = start.search;
   if (search.is_determined) {
     spdlog::info("focal search: {:.1f} px from {} image pairs", search.camera.fx, search.num_pairs);
     return;
@@ -46,7 +47,7 @@ void ReportFocalSearch(const CameraStart& start) {
       "the images do not determine the focal length ({} image pairs); it is initialized to "
       "{:.0f} px with a standard deviation of {:.0f}%. Record a scene that is not flat, and turn "
       "while moving instead of moving straight along the optical axis",
-      search.num_pairs, search.camera.fx, 100 * prior.free.front().sigma);
+      search.num_pairs, search.camera.fx, 100 * std::min(search.focal_sigma, 0.5));
 }
 
 CameraPrior FindSequenceCamera(const StreamOpener& sequence, const SelfCalibrationOptions& options,

@@ -127,7 +127,7 @@ void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& argum
       command
           .add_option("--focal", arguments.focal,
                       "auto: calibrate the camera from the images, by a focal length search and a "
-                      "first pass over at most 500 images; or the approximate focal length of the "
+                      "passes over at most 500 images; or the approximate focal length of the "
                       "images (before --resize), px; overrides the dataset's calibration")
           ->type_name("auto|PX")
           ->excludes(camera);

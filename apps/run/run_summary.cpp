@@ -76,18 +76,33 @@ std::string ReasonsText(const RunSummary& summary) {
   return text;
 }
 
+/// Measures the residuals of matches and warns if they are too large for the calibration.
 std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
   MatchResidualOptions options;
   options.max_distance = odometry.options().matching.max_distance;
   const auto residuals = MeasureResiduals(odometry.map(), options);
   if (residuals && IsImplausible(*residuals, options)) {
     spdlog::warn(
-        "the calibration is implausible: the median reprojection error of landmarks is {:.1f} px "
-        "over {} matches, at most {:.0f} px is expected; check the camera's focal length, "
-        "principal point and distortion",
-        residuals->median_px, residuals->num_matches, residuals->max_median_px);
+        "the calibration is implausible: the median reprojection error of landmarks is at least "
+        "{:.1f} px in every part of the sequence, at most {:.0f} px is expected; check the "
+        "camera's focal length, principal point and distortion",
+        residuals->least_part_px, residuals->max_median_px);
   }
   return residuals;
+}
+
+/// Compares the focal length with that of disjoint parts of the sequence and warns if they agree on
+/// another one.
+CalibrationCheck CheckAndWarn(const Map& map) {
+  CalibrationCheck check = CheckCalibration(map);
+  if (check.is_implausible) {
+    spdlog::warn(
+        "the calibration is implausible: {} of {} parts of the sequence, each alone, fit a focal "
+        "length of about {:.0f} px, but fx is {:.0f} px; check the camera's focal length and "
+        "distortion, or try --focal auto",
+        check.num_agreeing, check.num_parts, check.focal_px, map.camera().fx());
+  }
+  return check;
 }
 
 std::string CameraSource(const RunArguments& arguments) {
@@ -152,10 +167,13 @@ void CountFrames(const Trajectory& trajectory, RunSummary& summary) {
   summary.camera_adjustments.erase(AdjustmentStatus::kNone);
 }
 
-Json ToJson(const MatchResiduals& residuals) {
+Json ToJson(const MatchResiduals& residuals, const CalibrationCheck& check) {
   return {{"matches", residuals.num_matches},
           {"median_px", residuals.median_px},
-          {"implausible_calibration", IsImplausible(residuals)}};
+          {"parts", check.num_parts},
+          {"parts_with_other_fx", check.num_agreeing},
+          {"fx_of_parts", check.focal_px},
+          {"implausible_calibration", check.is_implausible || IsImplausible(residuals)}};
 }
 
 void AddCountsJson(const RunSummary& summary, Json& json) {
@@ -168,7 +186,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["segments"] = ToJson(summary.segments);
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
-  if (summary.residuals) json["residuals"] = ToJson(*summary.residuals);
+  if (summary.residuals) json["residuals"] = ToJson(*summary.residuals, summary.check);
   json["states"] = CountsJson(summary.states);
   json["reasons"] = CountsJson(summary.reasons);
   json["adjustments"] = {{"window", CountsJson(summary.window_adjustments)},
@@ -188,6 +206,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = MeasureAndWarn(record.odometry);
+  summary.check = CheckAndWarn(map);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   WarnOfContradiction(summary.calibration);

@@ -14,6 +14,7 @@
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_record.h"
 #include "vo/evaluation/evaluation.h"
+#include "vo/offline/calibration_check.h"
 #include "vo/offline/match_residuals.h"
 
 namespace corvo {
@@ -35,6 +36,7 @@ struct RunSummary {
   std::map<AdjustmentStatus, int> camera_adjustments;
   std::string why_not_kitti;  ///< Why there is no trajectory.kitti; empty if there is one.
   std::optional<MatchResiduals> residuals;
+  CalibrationCheck check;
   CalibrationReport calibration;
   std::optional<RefinementReport> refinement;  ///< Set if refinement was requested.
   std::optional<Evaluation> evaluation;        ///< Set if there is usable ground truth.

@@ -3,15 +3,22 @@
 // Statistics over many of these runs: bench/calibration.
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "apps/synthetic/materials.h"
 #include "apps/synthetic/sequence.h"
 #include "tests/support/data.h"
 #include "tests/support/random.h"
 #include "tests/system/sequence_runner.h"
 #include "vo/odometry.h"
+#include "vo/offline/calibration_check.h"
+#include "vo/offline/match_residuals.h"
+#include "vo/offline/self_calibration.h"
 
 namespace corvo {
 namespace {
@@ -65,6 +72,126 @@ TEST(SelfCalibrationTest, PureRotationKeepsTheGivenCameraWithinItsSigmas) {
   const Odometry odometry = RunOn(rotation, prior);
   for (int i = 0; i < 3; ++i) {
     EXPECT_LE(std::abs(odometry.camera_estimate().difference[i]), kFree[i].sigma) << kFree[i].name;
+  }
+}
+
+/// The images of a rendered sequence.
+class RenderedStream : public ImageStream {
+ public:
+  explicit RenderedStream(const Sequence& sequence) : sequence_(sequence) {}
+
+  std::optional<StreamImage> Next() override {
+    if (next_ == sequence_.size()) return std::nullopt;
+    const int i = next_++;
+    return StreamImage{sequence_.Render(i), sequence_.poses()[i].time_ns, {}, ""};
+  }
+  bool Skip() override { return next_++ < sequence_.size(); }
+  std::optional<int> size() const override { return sequence_.size(); }
+
+ private:
+  const Sequence& sequence_;
+  int next_ = 0;
+};
+
+CameraPrior FindCameraOf(const Sequence& sequence) {
+  return FindCamera([&] { return std::make_unique<RenderedStream>(sequence); }, {}).value().prior;
+}
+
+/// Returns options for a camera of 480x360 px with this distortion.
+SequenceOptions MakeLensOptions(int frames, double k1, double k2) {
+  SequenceOptions options = MakeOptions(frames, 1);
+  CameraParameters camera;
+  camera.width = 480;
+  camera.height = 360;
+  camera.fx = camera.fy = 400;
+  camera.cx = 239.5;
+  camera.cy = 179.5;
+  camera.k1 = k1;
+  camera.k2 = k2;
+  options.camera = camera;
+  return options;
+}
+
+TEST(FindCameraTest, FindsAStrongDistortionWhereTheCameraTurns) {
+  CORVO_SKIP_IF_SHORT();
+  const CameraPrior prior = FindCameraOf(MakeRoom(MakeLensOptions(120, -0.3, 0.09)));
+  EXPECT_NEAR(prior.given.fx, 400, 0.02 * 400);
+  EXPECT_NEAR(prior.given.k1, -0.3, 0.05);
+  EXPECT_EQ(prior.num_free(), 3);
+}
+
+/// A straight drive down a corridor, of which the images tell neither focal length nor distortion.
+Sequence MakeStraightDrive(const SequenceOptions& options) {
+  const Sequence corridor = MakeStreet(options);
+  std::vector<SE3> poses;
+  const SE3 start = corridor.scene_from_camera(0);
+  for (int i = 0; i < options.frames; ++i) {
+    poses.push_back(start * SE3(SO3(), Eigen::Vector3d(0, 0, 0.35 * i)));
+  }
+  return Sequence("drive", std::make_shared<synthetic::Scene>(corridor.scene()), corridor.camera(),
+                  10, poses, options);
+}
+
+TEST(FindCameraTest, AStraightDriveLeavesTheDistortionAtZeroAndFixesTheCamera) {
+  CORVO_SKIP_IF_SHORT();
+  const Sequence drive = MakeStraightDrive(MakeLensOptions(50, 0, 0));
+  const CameraPrior prior = FindCameraOf(drive);
+  EXPECT_NEAR(prior.given.k1, 0, 0.02);
+  EXPECT_NEAR(prior.given.k2, 0, 0.02);
+  const Odometry odometry = RunOn(drive, prior);
+  for (const FrameResult& frame : odometry.GetTrajectory().frames) {
+    EXPECT_TRUE(frame.world_from_camera) << frame.index;
+  }
+  EXPECT_FALSE(odometry.prior_rejected());
+}
+
+TEST(FindCameraTest, ARunWithTheCameraIsNotWorseThanAPassWithTheSearchedFocalLength) {
+  CORVO_SKIP_IF_SHORT();
+  const Sequence corridor = MakeCorridor(MakeLensOptions(90, 0, 0));
+  const auto open = [&] { return std::make_unique<RenderedStream>(corridor); };
+  const CameraStart searched = FindFocalLength({open}, {}).value();
+  const Odometry first = RunOn(corridor, {searched.prior.given, {}});
+  const Odometry run = RunOn(corridor, FindCameraOf(corridor));
+  EXPECT_FALSE(run.prior_rejected());
+  EXPECT_GE(run.GetTrajectory().PosedFrames().size(), first.GetTrajectory().PosedFrames().size());
+}
+
+/// Replaces all textures of a scene by one that repeats.
+Sequence WithTexture(const Sequence& sequence, const synthetic::Canvas& canvas) {
+  synthetic::Scene scene = sequence.scene();
+  const int texture = scene.AddTexture(canvas);
+  for (synthetic::Quad& quad : scene.quads) quad.texture = texture;
+  std::vector<SE3> poses;
+  for (int i = 0; i < sequence.size(); ++i) poses.push_back(sequence.scene_from_camera(i));
+  return Sequence(sequence.name(), std::make_shared<synthetic::Scene>(scene), sequence.camera(),
+                  sequence.frame_rate_hz(), poses, sequence.options());
+}
+
+/// Expects that a run with a camera, taken as exact, ends with an implausible calibration or not.
+void ExpectImplausible(bool expected, const Sequence& sequence, double focal_factor) {
+  CameraParameters camera = sequence.camera().parameters();
+  camera.fx *= focal_factor;
+  camera.fy *= focal_factor;
+  const Odometry odometry = RunOn(sequence, {camera, {}});
+  const CalibrationCheck check = CheckCalibration(odometry.map());
+  const auto residuals = MeasureResiduals(odometry.map());
+  ASSERT_TRUE(residuals);
+  EXPECT_EQ(check.is_implausible || IsImplausible(*residuals), expected)
+      << focal_factor << ": " << check.num_agreeing << " of " << check.num_parts << " parts, "
+      << check.focal_px << " px, residuals of " << residuals->least_part_px << " px";
+}
+
+TEST(ImplausibleCalibrationTest, IsThatOfAWrongCameraAndNotOfRepetitiveTexture) {
+  CORVO_SKIP_IF_SHORT();
+  SequenceOptions options = MakeOptions(100, 1);
+  options.width = 480;
+  const Sequence room = MakeRoom(options);
+  for (const synthetic::Canvas& canvas : {synthetic::DrawBricks(1), synthetic::DrawTiles(1)}) {
+    const Sequence repetitive = WithTexture(room, canvas);
+    ExpectImplausible(false, repetitive, 1);
+    ExpectImplausible(true, repetitive, 0.9);
+    ExpectImplausible(true, repetitive, 1.1);
+    ExpectImplausible(true, repetitive, 0.5);
   }
 }
 

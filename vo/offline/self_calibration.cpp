@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "vo/camera/centered_pinhole.h"
 #include "vo/core/option_fields.h"
 #include "vo/odometry.h"
+#include "vo/offline/map_camera.h"
 #include "vo/offline/observation_log.h"
 #include "vo/offline/sequence_record.h"
 
@@ -138,6 +140,126 @@ void ProcessStream(ImageStream& stream, int max_images, CalibrationStep step, Pr
   odometry.Finish();
 }
 
+/// A pass of the odometry over the first images of a sequence.
+struct Pass {
+  CameraParameters camera;  // At the end of the pass.
+  int num_posed = 0;
+  int num_segments = 0;
+  bool prior_rejected = false;
+
+  bool IsWorseThan(const Pass& other) const {
+    return num_posed < other.num_posed || num_segments > other.num_segments || prior_rejected;
+  }
+};
+
+Pass MakePass(const Odometry& odometry) {
+  Pass pass{odometry.camera().parameters(), 0, 0, odometry.prior_rejected()};
+  std::set<int> segments;
+  for (const FrameResult& frame : odometry.GetTrajectory().frames) {
+    if (!frame.world_from_camera) continue;
+    ++pass.num_posed;
+    segments.insert(frame.segment);
+  }
+  pass.num_segments = static_cast<int>(segments.size());
+  return pass;
+}
+
+std::vector<FreeParameter> WithoutCenter(std::vector<FreeParameter> free) {
+  std::erase_if(free, [](const FreeParameter& parameter) {
+    return parameter.name == "cx" || parameter.name == "cy";
+  });
+  return free;
+}
+
+/// Finds the camera of one sequence, starting with the result of the search. Passes with a fixed
+/// camera alternate with adjustments of their maps: a camera that changes while it tracks deforms
+/// the map, and a deformed map seems to determine parameters that the motion does not.
+class CameraFinder {
+ public:
+  CameraFinder(const StreamOpener& sequence, const CameraStart& start,
+               const SelfCalibrationOptions& options, Progress& progress)
+      : sequence_(sequence), start_(start), options_(options), progress_(progress) {}
+
+  /// Returns the prior for a run, or that of the search if nothing was tracked. It is unspecified
+  /// if the progress was canceled.
+  CameraPrior Run() {
+    CameraPrior found = start_.prior;
+    double last_change = std::numeric_limits<double>::infinity();
+    for (int round = 1; round <= options_.max_rounds; ++round) {
+      const CameraPrior fixed{found.given, {}};
+      Odometry odometry(fixed, options_.odometry, options_.threads);
+      const Pass pass = Track(odometry);
+      if (progress_.is_canceled() || pass.num_posed == 0) return Verified(start_.prior);
+      if (best_ && pass.IsWorseThan(*best_)) return Verified(Fallback());
+      const CameraPrior adjusted = Adjust(odometry.map());
+      const double change = std::abs(std::log(adjusted.given.fx / fixed.given.fx));
+      if (change > options_.max_lens_sigma && change > options_.max_change_ratio * last_change) {
+        return Verified(Fallback());
+      }
+      best_ = pass;
+      if (!first_) first_ = pass;
+      found = adjusted;
+      last_change = change;
+      if (change < options_.max_focal_change) break;
+    }
+    return Verified(found);
+  }
+
+ private:
+  Pass Track(Odometry& odometry) {
+    ProcessStream(*sequence_(), options_.max_first_pass_images,
+                  {Stage::kTracking, ++num_passes_, 0, {}, {}}, progress_, odometry);
+    return MakePass(odometry);
+  }
+
+  /// Returns the camera that fits a map best, as the prior of a run: with as many free parameters
+  /// as leave the focal length determined, or else an ideal lens.
+  CameraPrior Adjust(const Map& map) const {
+    const std::vector<KeyframeGroup> groups = SplitKeyframes(map, 1);
+    if (groups.empty()) return {map.camera().parameters(), {}};
+    const CameraPrior& searched = start_.prior;
+    for (const auto& free : {searched.free, WithoutCenter(searched.free)}) {
+      const AdjustmentSummary lens = AdjustMapCamera(map, groups, {searched.given, free});
+      if (lens.is_usable() && std::sqrt(lens.estimate.covariance(0, 0)) < options_.max_lens_sigma) {
+        return {lens.camera, RunParameters()};
+      }
+    }
+    return {AdjustMapCamera(map, groups, {searched.given, {searched.free.front()}}).camera, {}};
+  }
+
+  /// Returns the free parameters of a run with a camera that was estimated.
+  std::vector<FreeParameter> RunParameters() const {
+    const CalibrationOptions& given = options_.odometry.calibration;
+    return {{"focal", options_.run_focal_sigma}, {"k1", given.k1_sigma}, {"k2", given.k2_sigma}};
+  }
+
+  /// Returns the prior for a run if the adjustments do not converge: the camera of the search, or
+  /// the last camera that was tracked if the search does not determine it.
+  CameraPrior Fallback() const {
+    if (!start_.search.is_determined) return {best_->camera, {}};
+    return {start_.prior.given, WithoutCenter(start_.prior.free)};
+  }
+
+  /// Returns a prior if a pass with it is not worse than the passes with a fixed camera, and
+  /// otherwise the camera of those passes.
+  CameraPrior Verified(const CameraPrior& found) {
+    if (progress_.is_canceled() || !best_) return found;
+    Odometry odometry(found, options_.odometry, options_.threads);
+    const bool is_start = found.given == first_->camera;
+    const Pass& best = is_start ? *first_ : *best_;
+    const Pass pass = Track(odometry);
+    return pass.IsWorseThan(best) ? CameraPrior{best.camera, {}} : found;
+  }
+
+  const StreamOpener& sequence_;
+  const CameraStart& start_;
+  const SelfCalibrationOptions& options_;
+  Progress& progress_;
+  std::optional<Pass> first_;
+  std::optional<Pass> best_;
+  int num_passes_ = 0;
+};
+
 /// A calibration of one camera in progress.
 class Calibrator {
  public:
@@ -220,7 +342,10 @@ CameraPrior StatedFocalPrior(double focal_px, const cv::Size& size,
   options.Validate();
   const CameraParameters camera = CenteredPinhole(focal_px, size.width, size.height);
   camera.Validate();
-  return MakeFocalPrior(camera, options.stated_focal_sigma, options);
+  SelfCalibrationOptions stated = options;
+  stated.k1_sigma = options.stated_k1_sigma;
+  stated.k2_sigma = options.stated_k2_sigma;
+  return MakeFocalPrior(camera, options.stated_focal_sigma, stated);
 }
 
 std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequences,
@@ -240,11 +365,9 @@ std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
   Progress progress(callback);
   CameraStart start = SearchStart({sequence}, options, progress);
   if (progress.is_canceled()) return std::nullopt;
-  Odometry odometry(start.prior, options.odometry, options.threads);
-  ProcessStream(*sequence(), options.max_first_pass_images, {Stage::kTracking, 1, 0, {}, {}},
-                progress, odometry);
+  CameraPrior prior = CameraFinder(sequence, start, options, progress).Run();
   if (progress.is_canceled()) return std::nullopt;
-  start.prior.given = odometry.camera().parameters();
+  start.prior = std::move(prior);
   return start;
 }
 

@@ -41,29 +41,48 @@ struct SelfCalibrationOptions {
   double min_focal_sigma = 0.1;      // docs/calibration.md
   double max_focal_sigma = 0.5;      // Larger values leave the focal length free.
   double stated_focal_sigma = 0.05;  // A data sheet's, in video that may be cropped.
-  double k1_sigma = 0.1;             // docs/calibration.md
-  double k2_sigma = 0.05;            // docs/calibration.md
+  double stated_k1_sigma = 0.1;      // Less than k1_sigma, because there is only one pass.
+  double stated_k2_sigma = 0.05;
+  double k1_sigma = 0.2;             // |k1| of phones and action cameras is at most 0.4.
+  double k2_sigma = 0.1;             // docs/calibration.md
   double center_sigma_share = 0.01;  // docs/calibration.md
+  double max_lens_sigma = 0.03;      // docs/calibration.md
+  double max_change_ratio = 0.5;     // docs/calibration.md
+  double run_focal_sigma = 0.02;     // docs/calibration.md
 
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
     field("threads", self.threads, 1, 4096, "threads of each odometry");
     field("max_first_pass_images", self.max_first_pass_images, 2, 1000000000,
-          "images after which FindCamera takes the odometry's camera");
-    field("max_rounds", self.max_rounds, 1, 100,
-          "largest number of passes of CalibrateCamera through all sequences");
+          "images of each of FindCamera's passes");
+    field(
+        "max_rounds", self.max_rounds, 1, 100,
+        "largest number of passes of CalibrateCamera and FindCamera before their camera is taken");
     field("max_focal_change", self.max_focal_change, 0.0, 10.0,
-          "change of the focal length with which CalibrateCamera's passes end, as a share of it");
+          "change of the focal length with which the passes end, as a share of it");
     field("min_focal_sigma", self.min_focal_sigma, 1e-6, 10.0,
           "least standard deviation of a focal length that was searched, as a share of it");
     field("max_focal_sigma", self.max_focal_sigma, 1e-6, 10.0,
           "largest standard deviation of a focal length that was searched, as a share of it");
     field("stated_focal_sigma", self.stated_focal_sigma, 1e-6, 10.0,
           "standard deviation of a focal length that the user states, as a share of it");
+    field("stated_k1_sigma", self.stated_k1_sigma, 1e-6, 10.0,
+          "standard deviation of k1 beside a focal length that the user states");
+    field("stated_k2_sigma", self.stated_k2_sigma, 1e-6, 10.0,
+          "standard deviation of k2 beside a focal length that the user states");
     field("k1_sigma", self.k1_sigma, 1e-6, 10.0, "standard deviation of k1 before the first image");
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "standard deviation of k2 before the first image");
     field("center_sigma_share", self.center_sigma_share, 1e-6, 1.0,
           "standard deviation of the principal point, as a share of the width");
+    field("max_lens_sigma", self.max_lens_sigma, 1e-6, 10.0,
+          "standard deviation of the focal length up to which FindCamera estimates the principal "
+          "point and distortion, as a share of it");
+    field(
+        "max_change_ratio", self.max_change_ratio, 0.0, 10.0,
+        "change of the focal length of FindCamera's adjustments relative to the one before; above "
+        "it they do not converge");
+    field("run_focal_sigma", self.run_focal_sigma, 1e-6, 10.0,
+          "standard deviation of the focal length that FindCamera returns, as a share of it");
   }
 
   /// Throws corvo::Error naming the first field out of range.
@@ -71,9 +90,9 @@ struct SelfCalibrationOptions {
 };
 
 /// Returns the prior of a camera of which only the focal length is stated: a pinhole with the
-/// principal point in the image center. The standard deviation of the focal length is
-/// `stated_focal_sigma`, the others are those of FindFocalLength(). Throws corvo::Error if the
-/// focal length or an option is out of range.
+/// principal point in the image center. Its standard deviations are `stated_focal_sigma`,
+/// `stated_k1_sigma`, `stated_k2_sigma` and, for the principal point, `center_sigma_share`. Throws
+/// corvo::Error if the focal length or an option is out of range.
 CameraPrior StatedFocalPrior(double focal_px, const cv::Size& size,
                              const SelfCalibrationOptions& options = {});
 
@@ -93,10 +112,12 @@ std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequ
                                            const SelfCalibrationOptions& options,
                                            const CalibrationProgress& progress = {});
 
-/// Like FindFocalLength() for one sequence, but the camera is the odometry's estimate after the
-/// first images: frames that are tracked before the camera is known remain worse. Its standard
-/// deviations are those of the search, so that another run over the same images does not count them
-/// twice.
+/// Like FindFocalLength() for one sequence, but the prior is that of a run over it. Passes of the
+/// odometry over the first images with a fixed camera alternate with adjustments of that camera to
+/// their maps. Principal point and distortion are estimated only if the focal length remains
+/// determined. If the adjustments do not converge, the camera is that of the search. A last pass
+/// verifies the prior: if it poses fewer images than the passes with a fixed camera, has more
+/// segments or rejects the prior, the camera of those passes is returned without free parameters.
 std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
                                       const SelfCalibrationOptions& options,
                                       const CalibrationProgress& progress = {});

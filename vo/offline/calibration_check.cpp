@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "vo/offline/calibration_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "vo/math/median.h"
+
+namespace corvo {
+namespace {
+
+/// The difference of a part's focal length from the map's, as a logarithm.
+struct PartFocal {
+  double difference = 0;
+  double sigma = 0;
+};
+
+CameraPrior WidePrior(const CameraParameters& camera, const CalibrationCheckOptions& options) {
+  CameraPrior prior{camera, {{"focal", options.focal_sigma}}};
+  if (camera.model != CameraModel::kPinhole) return prior;
+  prior.free.push_back({"k1", options.k1_sigma});
+  prior.free.push_back({"k2", options.k2_sigma});
+  return prior;
+}
+
+std::vector<PartFocal> EstimateParts(const Map& map, const CalibrationCheckOptions& options) {
+  const CameraPrior prior = WidePrior(map.camera().parameters(), options);
+  std::vector<PartFocal> parts;
+  for (const KeyframeGroup& group :
+       SplitKeyframes(map, options.num_parts, {.min_keyframes = options.min_keyframes})) {
+    const AdjustmentSummary adjusted = AdjustMapCamera(map, {group}, prior);
+    if (!adjusted.is_usable()) continue;
+    const CameraEstimate& estimate = adjusted.estimate;
+    parts.push_back({estimate.difference[0], std::sqrt(estimate.covariance(0, 0))});
+  }
+  return parts;
+}
+
+bool Agrees(const PartFocal& part, double median, const CalibrationCheckOptions& options) {
+  const double size = std::abs(part.difference);
+  return size >= options.min_difference && size >= options.min_sigmas * part.sigma &&
+         std::abs(part.difference - median) <= options.max_disagreement * std::abs(median);
+}
+
+}  // namespace
+
+CalibrationCheck CheckCalibration(const Map& map, const CalibrationCheckOptions& options) {
+  const std::vector<PartFocal> parts = EstimateParts(map, options);
+  if (parts.empty()) return {};
+  std::vector<double> differences;
+  for (const PartFocal& part : parts) differences.push_back(part.difference);
+  const double median = Median(differences);
+  CalibrationCheck check;
+  check.num_parts = static_cast<int>(parts.size());
+  check.num_agreeing =
+      static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const PartFocal& part) {
+        return Agrees(part, median, options);
+      }));
+  check.focal_px = map.camera().fx() * std::exp(median);
+  check.is_implausible = std::abs(median) >= options.min_median && check.num_agreeing >= 2 &&
+                         2 * check.num_agreeing >= check.num_parts;
+  return check;
+}
+
+}  // namespace corvo
