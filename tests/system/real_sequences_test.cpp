@@ -186,15 +186,18 @@ TEST(RealSequenceTest, RotationIsTrackedWhileTheCameraOnlyTurns) {
   EXPECT_LE(rmse_deg, 2.2);
 }
 
-/// Estimates the focal length from the images of a folder alone.
-FocalSearchResult SearchFolder(const std::string& folder) {
-  const StreamOpener open = ToStreamOpener([&folder] {
+StreamOpener OpenFolder(const std::string& folder) {
+  return ToStreamOpener([folder] {
     ImageSource source = OpenImages(test::DataPath(folder).string(), std::nullopt, 30, {});
     const cv::Size size = source.First().image.size();
     source.Prepare({size, size, MaskSource()});
     return source;
   });
-  return FindFocalLength({open}, {}).value().search;
+}
+
+/// Estimates the focal length from the images of a folder alone.
+FocalSearchResult SearchFolder(const std::string& folder) {
+  return FindFocalLength({OpenFolder(folder)}, {}).value().search;
 }
 
 /// The principal points and distortions of the real cameras differ from those that the search
@@ -213,6 +216,29 @@ TEST(RealFocalSearchTest, FocalLengthIsNearTheTrueOneIfTheCameraTurns) {
 TEST(RealFocalSearchTest, AStraightRoadDoesNotDetermineTheFocalLength) {
   CORVO_REQUIRE_DATA("kitti/sequences/06");
   EXPECT_FALSE(SearchFolder("kitti/sequences/06").is_determined);
+}
+
+TEST(RealFindCameraTest, TheCameraIsAccurateWhereTheSearchIsNot) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("kitti/sequences/05");
+  CORVO_REQUIRE_DATA("kitti/sequences/06");
+  const CameraPrior turn = FindCamera(OpenFolder("kitti/sequences/05"), {}).value().prior;
+  EXPECT_NEAR(turn.given.fx / 707.1, 1, 0.02);
+  EXPECT_NEAR(turn.given.k1, 0.02, 0.01);
+  const CameraPrior straight = FindCamera(OpenFolder("kitti/sequences/06"), {}).value().prior;
+  EXPECT_NEAR(straight.given.fx / 707.1, 1, 0.08);
+  EXPECT_EQ(straight.given.k1, 0);
+  EXPECT_TRUE(straight.free.empty());
+}
+
+/// The last pass over images of an almost pure rotation, with an estimated camera, poses fewer
+/// frames than the first.
+TEST(RealFindCameraTest, ACameraWithWhichFewerImagesArePosedIsDropped) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("tum/rgbd_dataset_freiburg1_rpy");
+  const CameraStart start = FindCamera(OpenFolder("tum/rgbd_dataset_freiburg1_rpy"), {}).value();
+  EXPECT_EQ(start.prior.given, start.search.camera);
+  EXPECT_TRUE(start.prior.free.empty());
 }
 
 }  // namespace

@@ -145,17 +145,6 @@ TEST(FindCameraTest, AStraightDriveLeavesTheDistortionAtZeroAndFixesTheCamera) {
   EXPECT_FALSE(odometry.prior_rejected());
 }
 
-TEST(FindCameraTest, ARunWithTheCameraIsNotWorseThanAPassWithTheSearchedFocalLength) {
-  CORVO_SKIP_IF_SHORT();
-  const Sequence corridor = MakeCorridor(MakeLensOptions(90, 0, 0));
-  const auto open = [&] { return std::make_unique<RenderedStream>(corridor); };
-  const CameraStart searched = FindFocalLength({open}, {}).value();
-  const Odometry first = RunOn(corridor, {searched.prior.given, {}});
-  const Odometry run = RunOn(corridor, FindCameraOf(corridor));
-  EXPECT_FALSE(run.prior_rejected());
-  EXPECT_GE(run.GetTrajectory().PosedFrames().size(), first.GetTrajectory().PosedFrames().size());
-}
-
 /// Replaces all textures of a scene by one that repeats.
 Sequence WithTexture(const Sequence& sequence, const synthetic::Canvas& canvas) {
   synthetic::Scene scene = sequence.scene();
