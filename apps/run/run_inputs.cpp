@@ -126,7 +126,7 @@ void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& argum
   CLI::Option* const focal =
       command
           .add_option("--focal", arguments.focal,
-                      "auto: calibrate the camera from the images, by a focal length search and a "
+                      "auto: calibrate the camera from the images, by a focal length search and "
                       "passes over at most 500 images; or the approximate focal length of the "
                       "images (before --resize), px; overrides the dataset's calibration")
           ->type_name("auto|PX")
