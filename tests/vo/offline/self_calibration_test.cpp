@@ -18,8 +18,8 @@ TEST(StatedFocalPriorTest, IsACenteredPinholeWithAnUncertainFocalLength) {
   const std::vector<FreeParameter> expected = {{"focal", 0.04},
                                                {"cx", 640 * options.center_sigma_share},
                                                {"cy", 640 * options.center_sigma_share},
-                                               {"k1", options.k1_sigma},
-                                               {"k2", options.k2_sigma}};
+                                               {"k1", options.stated_k1_sigma},
+                                               {"k2", options.stated_k2_sigma}};
   EXPECT_EQ(prior.free, expected);
   EXPECT_NO_THROW(prior.Validate());
 }
