@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "vo/map/frame_history.h"
+#include "vo/mapping/contested_keypoints.h"
 #include "vo/mapping/culling.h"
 #include "vo/mapping/keyframe_policy.h"
 #include "vo/mapping/mapper.h"
@@ -58,7 +59,9 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   // Before there is a map, and while tracking is lost, the frame may start a new segment.
   if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
   // A moving camera leaves its landmarks behind; a keyframe creates new ones.
-  if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) InsertKeyframe(frame);
+  if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) {
+    InsertKeyframe(tracking.contradictions, frame);
+  }
   return Accept(std::move(frame), tracking);
 }
 
@@ -138,8 +141,9 @@ TrackingResult Odometry::Track(Frame& frame) {
   return relocalizer_->Relocalize(segment_, map_, frame);
 }
 
-void Odometry::InsertKeyframe(Frame& frame) {
+void Odometry::InsertKeyframe(const std::vector<int>& contradictions, Frame& frame) {
   const StageClock::Scope scope(clock_, &StageTimes::map_ms);
+  RemoveContestedKeypoints(contradictions, frame);
   const KeyframeId keyframe = mapper_->InsertKeyframe(frame, segment_, map_);
   history_->AddKeyframe(frame.index, keyframe, map_);
 }
@@ -148,6 +152,7 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
   previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
+  CheckScale(frame, tracking);
   UpdateMotion(previous_, frame);
   std::vector<Frame> frames = initializer_->TakeFrames();
   frames.push_back(std::move(frame));
@@ -155,6 +160,15 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
   return history_->ResultOf(previous_.index, map_);
+}
+
+void Odometry::CheckScale(const Frame& frame, const TrackingResult& tracking) {
+  const double inlier_share = static_cast<double>(tracking.num_inliers) / tracking.num_matches;
+  const ScaleEvidence evidence = CollectScaleEvidence(map_, previous_, frame, inlier_share);
+  const auto measure_flow = [&] { return MeasureParallaxFlow(previous_, frame); };
+  if (scale_monitor_.Add(evidence, measure_flow)) {
+    history_->outcome(frame.index).reason = Reason::kScaleUncertain;
+  }
 }
 
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
@@ -191,6 +205,7 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   if (!is_posed) RecordPosed(first, initialization.num_matches, num_points);
   RecordPosed(second, initialization.num_matches, num_points);
   UpdateMotion(first, second);
+  scale_monitor_ = {};
   LocalizePendingFrames(frames, reference, 1);
   LocalizePendingFrames(frames, reference, -1);
   previous_ = std::move(frames.back());

@@ -20,6 +20,7 @@
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
 #include "vo/tracking/motion_model.h"
+#include "vo/tracking/scale_monitor.h"
 #include "vo/tracking/speed_history.h"
 
 namespace corvo {
@@ -127,12 +128,14 @@ class Odometry {
   /// Locates a frame in the map, if there is one: near the previous frame or, failing that,
   /// anywhere.
   TrackingResult Track(Frame& frame);
-  void InsertKeyframe(Frame& frame);
+  void InsertKeyframe(const std::vector<int>& contradictions, Frame& frame);
   /// Completes a tracked frame: its result, its place in the trajectory and the motion to expect
   /// next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
   /// Passes a frame that could not be located to the initializer, whose map starts a segment.
   FrameResult Initialize(Frame frame, const TrackingResult& tracking);
+  /// Marks a posed frame if its scale is uncertain.
+  void CheckScale(const Frame& frame, const TrackingResult& tracking);
   void StartSegment(const InitializationResult& initialization);
   /// Scales the first map of the segment, whose frames were taken at the given times, to the speed
   /// before the loss, and records how the scale came about.
@@ -156,6 +159,7 @@ class Odometry {
   std::unique_ptr<Mapper> mapper_;
   MotionModel motion_;
   SpeedHistory speeds_;
+  ScaleMonitor scale_monitor_;
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;

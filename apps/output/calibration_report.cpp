@@ -2,7 +2,6 @@
 #include "apps/output/calibration_report.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace corvo {
 
@@ -59,14 +58,6 @@ std::string ToText(const CalibrationReport& report) {
                         e.value, e.sigma, e.given, 100 * e.share_from_data);
   }
   return text + "\n";
-}
-
-void WarnOfContradiction(const CalibrationReport& report) {
-  if (!report.prior_rejected) return;
-  spdlog::warn(
-      "the images contradict the given camera by more than its standard deviations allow; it was "
-      "used as given: check its focal length and distortion, or increase their standard deviations "
-      "(calibration.focal_sigma, k1_sigma, k2_sigma)");
 }
 
 }  // namespace corvo

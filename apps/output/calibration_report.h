@@ -40,7 +40,4 @@ nlohmann::ordered_json ToJson(const CalibrationReport& report);
 /// Returns one line, or an empty string if the camera is not estimated.
 std::string ToText(const CalibrationReport& report);
 
-/// Logs a warning if the images contradict the given camera.
-void WarnOfContradiction(const CalibrationReport& report);
-
 }  // namespace corvo

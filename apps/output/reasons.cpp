@@ -37,6 +37,8 @@ std::string_view Advice(Reason reason) {
       return "most of the image moves with the camera: exclude it with --mask";
     case Reason::kRepeatedImage:
       return "the image repeats the one before";
+    case Reason::kScaleUncertain:
+      return "the scale may have changed: a large moving object, or repetitive texture";
   }
   return "";
 }

@@ -76,33 +76,22 @@ std::string ReasonsText(const RunSummary& summary) {
   return text;
 }
 
-/// Measures the residuals of matches and warns if they are too large for the calibration.
-std::optional<MatchResiduals> MeasureAndWarn(const Odometry& odometry) {
+std::optional<MatchResiduals> Measure(const Odometry& odometry) {
   MatchResidualOptions options;
   options.max_distance = odometry.options().matching.max_distance;
-  const auto residuals = MeasureResiduals(odometry.map(), options);
-  if (residuals && IsImplausible(*residuals, options)) {
-    spdlog::warn(
-        "the calibration is implausible: the median reprojection error of landmarks is at least "
-        "{:.1f} px in every part of the sequence, at most {:.0f} px is expected; check the "
-        "camera's focal length, principal point and distortion",
-        residuals->least_part_px, residuals->max_median_px);
-  }
-  return residuals;
+  return MeasureResiduals(odometry.map(), options);
 }
 
-/// Compares the focal length with that of disjoint parts of the sequence and warns if they agree on
-/// another one.
-CalibrationCheck CheckAndWarn(const Map& map) {
-  CalibrationCheck check = CheckCalibration(map);
-  if (check.is_implausible) {
-    spdlog::warn(
-        "the calibration is implausible: {} of {} parts of the sequence, each alone, fit a focal "
-        "length of about {:.0f} px, but fx is {:.0f} px; check the camera's focal length and "
-        "distortion, or try --focal auto",
-        check.num_agreeing, check.num_parts, check.focal_px, map.camera().fx());
+/// Collects and logs what is doubtful about the result.
+void Warn(const Map& map, RunSummary& summary) {
+  for (const std::string& warning :
+       {ScaleWarning(summary.uncertain_scale), ResidualWarning(summary.residuals),
+        FocalLengthWarning(summary.check, map.camera().fx()),
+        ContradictionWarning(summary.calibration)}) {
+    if (warning.empty()) continue;
+    spdlog::warn("{}", warning);
+    summary.warnings.push_back(warning);
   }
-  return check;
 }
 
 std::string CameraSource(const RunArguments& arguments) {
@@ -176,6 +165,12 @@ Json ToJson(const MatchResiduals& residuals, const CalibrationCheck& check) {
           {"implausible_calibration", check.is_implausible || IsImplausible(residuals)}};
 }
 
+Json ToJson(const std::vector<FrameRange>& ranges) {
+  Json json = Json::array();
+  for (const FrameRange& range : ranges) json.push_back({range.first, range.last});
+  return json;
+}
+
 void AddCountsJson(const RunSummary& summary, Json& json) {
   json["frames"] = summary.num_frames;
   json["posed"] = summary.num_posed;
@@ -183,6 +178,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["rotations"] = summary.num_rotations;
   json["repeated"] = summary.num_repeated;
   json["masked_share"] = summary.masked_share;
+  json["scale_uncertain"] = ToJson(summary.uncertain_scale);
   json["segments"] = ToJson(summary.segments);
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
@@ -205,11 +201,12 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
   summary.why_not_kitti = WhyNotKitti(trajectory);
-  summary.residuals = MeasureAndWarn(record.odometry);
-  summary.check = CheckAndWarn(map);
+  summary.residuals = Measure(record.odometry);
+  summary.check = CheckCalibration(map);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
-  WarnOfContradiction(summary.calibration);
+  summary.uncertain_scale = UncertainScaleRanges(trajectory);
+  Warn(map, summary);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);
@@ -230,6 +227,7 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["camera_source"] = CameraSource(arguments);
   json["camera"] = CameraJson(inputs.camera.given);
   json["warnings"] = inputs.warnings;
+  for (const std::string& warning : summary.warnings) json["warnings"].push_back(warning);
   json["calibration"] = ToJson(summary.calibration);
   if (summary.refinement) json["refinement"] = ToJson(*summary.refinement);
   AddCountsJson(summary, json);

@@ -13,6 +13,7 @@
 #include "apps/run/outcome.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_record.h"
+#include "apps/run/run_warnings.h"
 #include "vo/evaluation/evaluation.h"
 #include "vo/offline/calibration_check.h"
 #include "vo/offline/match_residuals.h"
@@ -38,6 +39,8 @@ struct RunSummary {
   std::optional<MatchResiduals> residuals;
   CalibrationCheck check;
   CalibrationReport calibration;
+  std::vector<FrameRange> uncertain_scale;     ///< Frames at which the scale may have changed.
+  std::vector<std::string> warnings;           ///< What is doubtful about the result.
   std::optional<RefinementReport> refinement;  ///< Set if refinement was requested.
   std::optional<Evaluation> evaluation;        ///< Set if there is usable ground truth.
   /// The relative errors of all rotations over one second, in degrees, if there is usable ground
@@ -45,7 +48,7 @@ struct RunSummary {
   std::optional<ErrorStatistics> rotation_deg;
 };
 
-/// Returns the figures of a run. Logs a warning if the calibration does not fit the images.
+/// Returns the figures of a run. Logs its warnings.
 RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
                      const RunRecord& record);
 

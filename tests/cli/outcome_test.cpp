@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "apps/output/reasons.h"
+#include "apps/run/run_warnings.h"
 
 namespace corvo {
 namespace {
@@ -56,6 +57,21 @@ TEST(CountReasons, CountsFramesWithoutAPose) {
   EXPECT_THAT(CountReasons(trajectory),
               testing::ElementsAre(testing::Pair(Reason::kLowParallax, 2),
                                    testing::Pair(Reason::kTooFewInliers, 1)));
+}
+
+TEST(ScaleWarning, NamesTheFramesWhoseScaleIsUncertain) {
+  Trajectory trajectory;
+  for (int i = 0; i < 60; ++i) {
+    trajectory.frames.push_back(Posed(0));
+    trajectory.frames.back().index = i;
+    const bool is_uncertain = i == 12 || i == 15 || (i >= 40 && i < 50);
+    if (is_uncertain) trajectory.frames.back().reason = Reason::kScaleUncertain;
+  }
+  const std::vector<FrameRange> ranges = UncertainScaleRanges(trajectory);
+  EXPECT_THAT(ranges, testing::ElementsAre(FrameRange{12, 15}, FrameRange{40, 49}));
+  EXPECT_THAT(ScaleWarning(ranges), testing::HasSubstr("in the frames 12-15, 40-49:"));
+  EXPECT_EQ(ScaleWarning({}), "");
+  EXPECT_TRUE(CountReasons(trajectory).empty());
 }
 
 }  // namespace

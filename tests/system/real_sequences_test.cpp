@@ -10,6 +10,7 @@
 #include "apps/dataset/image_source.h"
 #include "apps/run/sequence_stream.h"
 #include "tests/support/data.h"
+#include "tests/system/disturbances.h"
 #include "tests/system/sequence_runner.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
@@ -115,6 +116,23 @@ TEST(RealSequenceTest, Kitti05KeepsItsScaleAtAThirdOfTheFrameRate) {
 TEST(RealSequenceTest, Kitti05SharpTurnIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
+}
+
+/// A vehicle crosses 41% of the image in 40 frames, while the camera turns into another street.
+TEST(RealSequenceTest, Kitti05IsTrackedAccuratelyBehindACrossingVehicle) {
+  CORVO_REQUIRE_DATA("kitti/sequences/05");
+  const Folder folder("kitti/sequences/05", 20);
+  test::Recording recording;
+  for (int i = 0; i < folder.num_frames; ++i) recording.images.push_back(folder.Source()(i));
+  for (std::uint64_t seed = 1; seed <= (test::IsShortRun() ? 1 : 4); ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const test::Vehicle vehicle{test::VehicleMotion::kCrossing, 12, 40, 0.41};
+    const test::Recording disturbed = test::AddVehicle(recording, vehicle, random);
+    const Trajectory trajectory = test::RunOdometry([&](int i) { return disturbed.images[i]; },
+                                                    folder.num_frames, Camera(*folder.list.camera));
+    ExpectAccurate(trajectory, ReadKittiTruth("05"), 0.08, 0.98);
+  }
 }
 
 TEST(RealSequenceTest, Kitti05SharpTurnIsRefinedAccurately) {

@@ -43,6 +43,8 @@ std::string_view ToString(Reason reason) {
       return "static_overlay";
     case Reason::kRepeatedImage:
       return "repeated_image";
+    case Reason::kScaleUncertain:
+      return "scale_uncertain";
   }
   return "unknown";
 }

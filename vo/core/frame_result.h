@@ -21,7 +21,7 @@ enum class State : std::uint8_t {
   kLost,  ///< Not located. Ends with a relocalized frame or a new segment.
 };
 
-/// The reason why a frame is not posed, or kNone.
+/// The reason why a frame is not posed or its pose needs care, or kNone.
 enum class Reason : std::uint8_t {
   kNone,              ///< Posed.
   kReferenceFrame,    ///< Initializing: this frame is the new reference.
@@ -35,6 +35,9 @@ enum class Reason : std::uint8_t {
   kTooFewInliers,     ///< Tracking: too few matches are inliers of a pose.
   kStaticOverlay,     ///< Too few keypoints: what moves with the camera covers most of the image.
   kRepeatedImage,     ///< Posed: the image repeats that of an earlier frame, whose pose it has.
+  /// Posed, but the scale may have changed here: the images do not explain the change of the speed,
+  /// or about half of the matches with landmarks contradict the pose. See ScaleMonitor.
+  kScaleUncertain,
 };
 
 std::string_view ToString(State state);

@@ -50,6 +50,10 @@ void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame) {
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (!IsMasked(mask, frame.keypoint(k))) kept.push_back(k);
   }
+  SelectKeypoints(kept, frame);
+}
+
+void SelectKeypoints(const std::vector<int>& kept, Frame& frame) {
   const auto select = [&](auto& values) {
     if (values.empty()) return;
     std::remove_reference_t<decltype(values)> selected;

@@ -49,6 +49,9 @@ bool IsMasked(const cv::Mat& mask, const orb::Keypoint& keypoint);
 /// Removes the keypoints at which `mask`, 8-bit and of the image's size, is zero.
 void RemoveMaskedKeypoints(const cv::Mat& mask, Frame& frame);
 
+/// Removes all keypoints but those with the given indices, which are ascending.
+void SelectKeypoints(const std::vector<int>& kept, Frame& frame);
+
 /// Throws corvo::Error unless the image is 8-bit gray and has the size of the camera.
 void CheckImage(const cv::Mat& image, const Camera& camera);
 

@@ -11,10 +11,9 @@
 
 #include "vo/map/guided_matching.h"
 #include "vo/map/landmark_alignment.h"
-#include "vo/map/landmark_covariance.h"
-#include "vo/optimization/pose_optimizer.h"
 #include "vo/tracking/chance_test.h"
 #include "vo/tracking/frame_matching.h"
+#include "vo/tracking/rigid_consensus.h"
 
 namespace corvo {
 namespace {
@@ -89,6 +88,13 @@ bool IsMajority(const TrackingResult& result) {
   return 2 * result.num_inliers > static_cast<int>(result.visible.size());
 }
 
+/// Sets the pose and the landmarks of a frame. Returns the number of inliers.
+int SetPose(LandmarkPose pose, Frame& frame) {
+  frame.world_from_camera = pose.world_from_camera;
+  frame.landmarks = std::move(pose.landmarks);
+  return pose.num_inliers;
+}
+
 }  // namespace
 
 Tracker::Tracker(const OdometryOptions& options)
@@ -108,7 +114,10 @@ TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& 
   result.visible = MatchLocalLandmarks(map, frame);
   result.num_matches = CountObservedLandmarks(frame);
   AlignKeypoints(map, frame);
-  result.num_inliers = OptimizePose(map, frame.world_from_camera, frame);
+  LandmarkPose consensus = FindRigidConsensus(map, frame, pose_optimizer_);
+  result.num_inliers = consensus.num_inliers;
+  result.contradictions = FindContradictions(frame, consensus);
+  SetPose(std::move(consensus), frame);
   const bool is_enough = result.num_inliers >= options_.min_inliers &&
                          (IsMajority(result) || IsBeyondChance(map, result.visible, frame,
                                                                {matching_.max_tracking_distance}));
@@ -118,28 +127,26 @@ TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& 
 
 int Tracker::TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted,
                            Frame& frame) const {
-  Location near = LocateNearPrediction(map, previous, predicted, frame);
-  if (near.num_inliers >= options_.min_first_inliers) {
-    frame.world_from_camera = near.world_from_camera;
-    frame.landmarks = std::move(near.landmarks);
-    return near.num_inliers;
-  }
+  LandmarkPose near = LocateNearPrediction(map, previous, predicted, frame);
+  if (near.num_inliers >= options_.min_first_inliers) return SetPose(std::move(near), frame);
   const std::optional<SE3> located = LocateWithoutPrediction(map, previous, frame);
-  return located ? OptimizePose(map, *located, frame) : 0;
+  if (!located) return 0;
+  return SetPose(OptimizeLandmarkPose(map, frame, frame.landmarks, *located, pose_optimizer_),
+                 frame);
 }
 
-Tracker::Location Tracker::LocateNearPrediction(const Map& map, const Frame& previous,
-                                                const SE3& predicted, Frame& frame) const {
-  Location best;
+LandmarkPose Tracker::LocateNearPrediction(const Map& map, const Frame& previous,
+                                           const SE3& predicted, Frame& frame) const {
+  LandmarkPose best;
   for (const double widening : {1.0, options_.widening}) {
     const double radius_px = widening * options_.search_radius_px;
     const int num_matches = MatchPrevious(map, previous, predicted, radius_px, frame);
     if (num_matches < options_.min_matches) continue;
-    const int num_inliers = OptimizePose(map, predicted, frame);
-    if (num_inliers > best.num_inliers) {
-      best = {frame.world_from_camera, frame.landmarks, num_inliers};
-    }
-    if (num_inliers >= options_.min_inlier_share * num_matches) break;
+    LandmarkPose pose =
+        OptimizeLandmarkPose(map, frame, frame.landmarks, predicted, pose_optimizer_);
+    const bool is_consistent = pose.num_inliers >= options_.min_inlier_share * num_matches;
+    if (pose.num_inliers > best.num_inliers) best = std::move(pose);
+    if (is_consistent) break;
   }
   return best;
 }
@@ -185,25 +192,6 @@ std::vector<LandmarkId> Tracker::MatchLocalLandmarks(const Map& map, Frame& fram
     if (landmark == kNoId) landmark = queries.ids[match.query];
   }
   return visible;
-}
-
-int Tracker::OptimizePose(const Map& map, const SE3& initial, Frame& frame) const {
-  std::vector<int> keypoints;
-  PoseObservations observations;
-  for (int k = 0; k < frame.num_keypoints(); ++k) {
-    if (frame.landmarks[k] == kNoId) continue;
-    const Landmark& landmark = *map.FindLandmark(frame.landmarks[k]);
-    keypoints.push_back(k);
-    observations.Add({landmark.in_world, LandmarkCovariance(map, landmark)},
-                     Observe(frame, k, map.model()));
-  }
-  const PoseEstimate estimate =
-      corvo::OptimizePose(initial, observations, map.camera(), pose_optimizer_);
-  frame.world_from_camera = estimate.world_from_camera;
-  for (std::size_t i = 0; i < keypoints.size(); ++i) {
-    if (!estimate.is_inlier[i]) frame.landmarks[keypoints[i]] = kNoId;
-  }
-  return estimate.num_inliers;
 }
 
 }  // namespace corvo

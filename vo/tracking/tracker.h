@@ -8,6 +8,7 @@
 #include "vo/core/options.h"
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
+#include "vo/tracking/landmark_pose.h"
 
 namespace corvo {
 
@@ -17,6 +18,8 @@ struct TrackingResult {
   int num_matches = 0;              ///< Keypoints matched with landmarks.
   int num_inliers = 0;              ///< Matches that are inliers of the pose.
   std::vector<LandmarkId> visible;  ///< Landmarks that should be visible from the pose.
+  /// Keypoints whose landmarks contradict the pose. See FindContradictions.
+  std::vector<int> contradictions;
 
   bool is_tracked() const { return reason == Reason::kNone; }
 };
@@ -36,21 +39,14 @@ class Tracker {
                        Frame& frame) const;
 
  private:
-  /// A pose and the landmarks that the keypoints of a frame observe from it.
-  struct Location {
-    SE3 world_from_camera;
-    std::vector<LandmarkId> landmarks;
-    int num_inliers = 0;
-  };
-
   /// Sets the frame's first pose from the landmarks of the previous frame. Returns the number of
   /// inliers.
   int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted,
                     Frame& frame) const;
   /// Returns the better location of a search near the prediction and, if that has few matches or
   /// mostly outliers, of a wider one: a wrong prediction finds keypoints that are merely similar.
-  Location LocateNearPrediction(const Map& map, const Frame& previous, const SE3& predicted,
-                                Frame& frame) const;
+  LandmarkPose LocateNearPrediction(const Map& map, const Frame& previous, const SE3& predicted,
+                                    Frame& frame) const;
   /// Matches the landmarks of the previous frame near the prediction. Returns the number of
   /// matches.
   int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted, double radius_px,
@@ -62,9 +58,6 @@ class Tracker {
   /// Projects the landmarks of the local keyframes and assigns them to matching keypoints that have
   /// none. Returns the landmarks that should be visible.
   std::vector<LandmarkId> MatchLocalLandmarks(const Map& map, Frame& frame) const;
-  /// Optimizes the pose over the frame's landmarks and removes outliers from the frame. Returns the
-  /// number of inliers.
-  int OptimizePose(const Map& map, const SE3& initial, Frame& frame) const;
 
   TrackerOptions options_;
   MatchingOptions matching_;

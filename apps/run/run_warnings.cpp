@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "apps/run/run_warnings.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace corvo {
+
+std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory) {
+  constexpr int kMaxGap = 5;
+  std::vector<FrameRange> ranges;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.reason != Reason::kScaleUncertain) continue;
+    const bool is_apart = ranges.empty() || frame.index > ranges.back().last + kMaxGap;
+    if (is_apart) ranges.push_back({frame.index, frame.index});
+    ranges.back().last = frame.index;
+  }
+  return ranges;
+}
+
+std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
+  constexpr std::size_t kMaxRanges = 5;
+  if (ranges.empty()) return "";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMaxRanges); ++i) {
+    text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
+  }
+  if (ranges.size() > kMaxRanges) {
+    text += fmt::format(" and {} other ranges", ranges.size() - kMaxRanges);
+  }
+  return fmt::format(
+      "the scale is uncertain in the frames {}: it may differ before and after them, as a large "
+      "moving object or repetitive texture makes it; these frames have the reason "
+      "scale_uncertain in frames.csv",
+      text);
+}
+
+std::string ResidualWarning(const std::optional<MatchResiduals>& residuals) {
+  if (!residuals || !IsImplausible(*residuals, {})) return "";
+  return fmt::format(
+      "the calibration is implausible: the median reprojection error of landmarks is at least "
+      "{:.1f} px in every part of the sequence, at most {:.0f} px is expected; check the "
+      "camera's focal length, principal point and distortion",
+      residuals->least_part_px, residuals->max_median_px);
+}
+
+std::string FocalLengthWarning(const CalibrationCheck& check, double fx) {
+  if (!check.is_implausible) return "";
+  return fmt::format(
+      "the calibration is implausible: {} of {} parts of the sequence, each alone, fit a focal "
+      "length of about {:.0f} px, but fx is {:.0f} px; check the camera's focal length and "
+      "distortion, or try --focal auto",
+      check.num_agreeing, check.num_parts, check.focal_px, fx);
+}
+
+std::string ContradictionWarning(const CalibrationReport& report) {
+  if (!report.prior_rejected) return "";
+  return "the images contradict the given camera by more than its standard deviations allow; it "
+         "was used as given: check its focal length and distortion, or increase their standard "
+         "deviations (calibration.focal_sigma, k1_sigma, k2_sigma)";
+}
+
+}  // namespace corvo

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/output/calibration_report.h"
+#include "vo/core/trajectory.h"
+#include "vo/offline/calibration_check.h"
+#include "vo/offline/match_residuals.h"
+
+namespace corvo {
+
+/// A range of frame indices, both included.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+
+  bool operator==(const FrameRange&) const = default;
+};
+
+/// Returns the ranges of frames whose scale is uncertain. Frames at most five apart are in one
+/// range.
+std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory);
+
+// Each function returns a warning about a finished run, or an empty string.
+
+std::string ScaleWarning(const std::vector<FrameRange>& ranges);
+std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
+std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
+std::string ContradictionWarning(const CalibrationReport& report);
+
+}  // namespace corvo

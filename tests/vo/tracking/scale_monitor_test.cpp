@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "vo/tracking/scale_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/point_scene.h"
+
+namespace corvo {
+namespace {
+
+constexpr double kFrameTime = 0.1;  // s
+constexpr double kDepth = 10;
+
+/// Feeds frames to a monitor, whose images flow by `flow` units of length at kDepth per second.
+class ScaleMonitorTest : public ::testing::Test {
+ protected:
+  /// Returns the number of uncertain frames among `num_frames` that move alike.
+  int Add(int num_frames, double speed, double flow, double inlier_share = 0.9) {
+    int num_uncertain = 0;
+    for (int i = 0; i < num_frames; ++i) {
+      num_uncertain += monitor_.Add({inlier_share, kFrameTime, speed, kDepth},
+                                    [&] { return std::optional(flow / kDepth * kFrameTime); });
+    }
+    return num_uncertain;
+  }
+
+  ScaleMonitor monitor_;
+};
+
+TEST_F(ScaleMonitorTest, SteadyMotionIsCertain) { EXPECT_EQ(Add(100, 5, 5), 0); }
+
+TEST_F(ScaleMonitorTest, ACameraThatStopsAndGoesOnIsCertain) {
+  EXPECT_EQ(Add(20, 5, 5) + Add(20, 0, 0) + Add(20, 5, 5), 0);
+}
+
+TEST_F(ScaleMonitorTest, ASpeedThatCollapsesWhileTheImagesFlowIsUncertain) {
+  EXPECT_EQ(Add(20, 5, 5), 0);
+  EXPECT_GE(Add(5, 0.5, 5), 3);
+}
+
+TEST_F(ScaleMonitorTest, ASpeedThatGrowsWhileTheImagesFlowAsBeforeIsUncertain) {
+  EXPECT_EQ(Add(20, 5, 5), 0);
+  EXPECT_GE(Add(5, 50, 5), 3);
+}
+
+TEST_F(ScaleMonitorTest, OneOutlierAmongTheSpeedsIsCertain) {
+  EXPECT_EQ(Add(20, 5, 5) + Add(1, 0.1, 5) + Add(20, 5, 5), 0);
+}
+
+TEST_F(ScaleMonitorTest, AChangeOfSpeedIsUncertainIfTheFlowIsUnknown) {
+  Add(20, 5, 5);
+  Add(2, 0.5, 0.5);
+  EXPECT_TRUE(monitor_.Add({0.9, kFrameTime, 0.5, kDepth}, [] { return std::nullopt; }));
+}
+
+TEST_F(ScaleMonitorTest, FramesWhoseMatchesContradictEachOtherAreUncertain) {
+  EXPECT_EQ(Add(20, 5, 5, 0.6), 0);
+  EXPECT_EQ(Add(2, 5, 5, 0.5), 0);  // Two frames are too few.
+  EXPECT_EQ(Add(5, 5, 5, 0.5), 5);
+}
+
+class ParallaxFlowTest : public ::testing::Test {
+ protected:
+  Frame View(const SE3& pose) {
+    return test::ObserveScene(scene_, test::PinholeCamera(), pose, 0.2, random_).frame;
+  }
+
+  test::Random random_{3};
+  test::PointScene scene_ = test::MakeBoxScene(400, 9.9, 10.1, random_);
+};
+
+TEST_F(ParallaxFlowTest, IsTheAngleOfTheTranslationAtTheDepthOfTheScene) {
+  const Frame previous = View(SE3());
+  const Frame frame = View(SE3(SO3(), {0.5, 0, 0}));
+  EXPECT_NEAR(*MeasureParallaxFlow(previous, frame), 0.05, 0.005);
+}
+
+TEST_F(ParallaxFlowTest, DoesNotContainTheRotation) {
+  const Frame previous = View(SE3());
+  const Frame frame = View(SE3(SO3::Exp({0.02, 0.1, 0}), Eigen::Vector3d::Zero()));
+  EXPECT_LT(*MeasureParallaxFlow(previous, frame), 0.002);
+}
+
+TEST_F(ParallaxFlowTest, IsUnknownWithoutMatches) {
+  const Frame previous = View(SE3());
+  scene_ = test::MakeBoxScene(400, 9.9, 10.1, random_);
+  EXPECT_EQ(MeasureParallaxFlow(previous, View(SE3())), std::nullopt);
+}
+
+TEST(ScaleEvidenceTest, IsMeasuredFromTheFrames) {
+  test::Random random(4);
+  const test::PointScene scene = test::MakeBoxScene(300, 4.9, 5.1, random);
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < 2; ++i) {
+    const SE3 pose(SO3(), {0.3 * i, 0, 0});
+    views.push_back(test::ObserveScene(scene, test::PinholeCamera(), pose, 0.2, random));
+  }
+  const Map map = test::MakeMap(scene, views);
+  Frame previous = map.keyframe(0).frame;
+  Frame frame = map.keyframe(1).frame;
+  frame.time_ns = previous.time_ns + 200'000'000;
+  const ScaleEvidence evidence = CollectScaleEvidence(map, previous, frame, 0.7);
+  EXPECT_EQ(evidence.inlier_share, 0.7);
+  EXPECT_DOUBLE_EQ(evidence.duration_s, 0.2);
+  EXPECT_NEAR(evidence.speed, 1.5, 1e-9);
+  EXPECT_NEAR(evidence.depth, 5, 0.1);
+}
+
+}  // namespace
+}  // namespace corvo

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "vo/map/frame.h"
+
+namespace corvo {
+
+/// Removes keypoints that are likely on a moving object from a posed frame: those without a
+/// landmark whose nearest matched keypoints are, for the most part, among `contradictions`, the
+/// keypoints whose landmarks contradict the frame's pose.
+void RemoveContestedKeypoints(const std::vector<int>& contradictions, Frame& frame);
+
+}  // namespace corvo
