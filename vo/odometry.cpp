@@ -55,12 +55,12 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   Frame frame = ExtractFrame(image, time_ns);
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
-  const TrackingResult tracking = Track(frame);
+  TrackingResult tracking = Track(frame);
   // Before there is a map, and while tracking is lost, the frame may start a new segment.
   if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
   // A moving camera leaves its landmarks behind; a keyframe creates new ones.
   if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) {
-    InsertKeyframe(tracking.contradictions, frame);
+    InsertKeyframe(tracking, frame);
   }
   return Accept(std::move(frame), tracking);
 }
@@ -98,9 +98,30 @@ const Frame& Odometry::last_frame() const {
 }
 
 void Odometry::RemoveOverlay() {
+  // An overlay is found within the first moments of a recording. A map that was tracked mostly by
+  // it until then has the motion of the overlay, not that of the scene.
+  constexpr int kMaxFrames = 100;
+  const int num_tracked = CountExistingLandmarks(map_, previous_);
   CullMaskedLandmarks(used_mask_, map_);
   RemoveMaskedKeypoints(used_mask_, previous_);
   initializer_->RemoveMasked(used_mask_);
+  const bool has_lost_most = 2 * CountExistingLandmarks(map_, previous_) < num_tracked;
+  if (has_lost_most && history_->size() <= kMaxFrames) Restart(Reason::kStaticOverlay);
+}
+
+void Odometry::Restart(Reason reason) {
+  FinishMapping();
+  history_->DiscardPoses(reason);
+  map_ = Map({Camera(camera_prior().given), options_.measurement, extractor_.octave_scales()});
+  mapper_ = std::make_unique<Mapper>(camera_prior(), options_);
+  initializer_ = std::make_unique<Initializer>(options_, map_.model());
+  recorder_ = recorder_.WithSameCallbacks();
+  motion_ = {};
+  speeds_ = SpeedHistory(options_.segment_start);
+  scale_monitor_ = {};
+  state_ = State::kInitializing;
+  segment_ = kNoId;
+  previous_ = {};
 }
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
@@ -141,9 +162,9 @@ TrackingResult Odometry::Track(Frame& frame) {
   return relocalizer_->Relocalize(segment_, map_, frame);
 }
 
-void Odometry::InsertKeyframe(const std::vector<int>& contradictions, Frame& frame) {
+void Odometry::InsertKeyframe(TrackingResult& tracking, Frame& frame) {
   const StageClock::Scope scope(clock_, &StageTimes::map_ms);
-  RemoveContestedKeypoints(contradictions, frame);
+  tracking.contested_share = RemoveContestedKeypoints(tracking.contradictions, frame);
   const KeyframeId keyframe = mapper_->InsertKeyframe(frame, segment_, map_);
   history_->AddKeyframe(frame.index, keyframe, map_);
 }
@@ -163,8 +184,7 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
 }
 
 void Odometry::CheckScale(const Frame& frame, const TrackingResult& tracking) {
-  const double inlier_share = static_cast<double>(tracking.num_inliers) / tracking.num_matches;
-  const ScaleEvidence evidence = CollectScaleEvidence(map_, previous_, frame, inlier_share);
+  const ScaleEvidence evidence = CollectScaleEvidence(map_, previous_, frame, tracking);
   const auto measure_flow = [&] { return MeasureParallaxFlow(previous_, frame); };
   if (scale_monitor_.Add(evidence, measure_flow)) {
     history_->outcome(frame.index).reason = Reason::kScaleUncertain;

@@ -118,8 +118,11 @@ class Odometry {
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
-  /// Removes what has been found to move with the camera from the map and from frames.
+  /// Removes what has been found to move with the camera from the map and from frames, or restarts
+  /// if the map depends on it.
   void RemoveOverlay();
+  /// Discards all poses and the map. Initialization begins anew.
+  void Restart(Reason reason);
   Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns);
   /// Updates everything that depends on keyframes and camera after an update of the map.
   void ApplyUpdate(const MapUpdate& update);
@@ -128,7 +131,7 @@ class Odometry {
   /// Locates a frame in the map, if there is one: near the previous frame or, failing that,
   /// anywhere.
   TrackingResult Track(Frame& frame);
-  void InsertKeyframe(const std::vector<int>& contradictions, Frame& frame);
+  void InsertKeyframe(TrackingResult& tracking, Frame& frame);
   /// Completes a tracked frame: its result, its place in the trajectory and the motion to expect
   /// next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);

@@ -83,10 +83,10 @@ std::optional<MatchResiduals> Measure(const Odometry& odometry) {
 }
 
 /// Collects and logs what is doubtful about the result.
-void Warn(const Map& map, RunSummary& summary) {
+void Warn(const Trajectory& trajectory, const Map& map, RunSummary& summary) {
   for (const std::string& warning :
-       {ScaleWarning(summary.uncertain_scale), ResidualWarning(summary.residuals),
-        FocalLengthWarning(summary.check, map.camera().fx()),
+       {ScaleWarning(summary.uncertain_scale), BlurWarning(trajectory),
+        ResidualWarning(summary.residuals), FocalLengthWarning(summary.check, map.camera().fx()),
         ContradictionWarning(summary.calibration)}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
@@ -178,6 +178,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["rotations"] = summary.num_rotations;
   json["repeated"] = summary.num_repeated;
   json["masked_share"] = summary.masked_share;
+  json["blurred"] = summary.num_blurred;
   json["scale_uncertain"] = ToJson(summary.uncertain_scale);
   json["segments"] = ToJson(summary.segments);
   json["keyframes"] = summary.num_keyframes;
@@ -206,7 +207,8 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   summary.uncertain_scale = UncertainScaleRanges(trajectory);
-  Warn(map, summary);
+  summary.num_blurred = CountBlurredFrames(trajectory);
+  Warn(trajectory, map, summary);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);

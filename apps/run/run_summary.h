@@ -27,6 +27,7 @@ struct RunSummary {
   int num_posed = 0;
   int num_rotations = 0;          ///< Number of frames with a rotation, with or without a pose.
   int num_repeated = 0;           ///< Number of frames whose image repeats that of an earlier one.
+  int num_blurred = 0;            ///< See CountBlurredFrames.
   double masked_share = 0;        ///< Mean share of the image that moves with the camera, 0 to 1.
   std::vector<Segment> segments;  ///< The segments that have poses.
   int num_keyframes = 0;

@@ -2,6 +2,7 @@
 #include "apps/run/run_warnings.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,30 @@ std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
       "moving object or repetitive texture makes it; these frames have the reason "
       "scale_uncertain in frames.csv",
       text);
+}
+
+int CountBlurredFrames(const Trajectory& trajectory) {
+  constexpr int kOctavesOfBlur = 3;  // A factor of 1.7 with the default scale factor of 1.2.
+  std::vector<int> octaves;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.finest_octave != kNoId) octaves.push_back(frame.finest_octave);
+  }
+  if (octaves.empty()) return 0;
+  std::sort(octaves.begin(), octaves.end());
+  const int sharp = octaves[octaves.size() / 10];
+  return static_cast<int>(std::count_if(octaves.begin(), octaves.end(), [&](int octave) {
+    return octave >= sharp + kOctavesOfBlur;
+  }));
+}
+
+std::string BlurWarning(const Trajectory& trajectory) {
+  const int num_blurred = CountBlurredFrames(trajectory);
+  const auto num_frames = static_cast<int>(trajectory.frames.size());
+  if (10 * num_blurred <= num_frames) return "";
+  return fmt::format(
+      "{} of {} frames are blurred: poses are less accurate there; use a shorter exposure time, or "
+      "move more slowly",
+      num_blurred, num_frames);
 }
 
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals) {

@@ -23,9 +23,15 @@ struct FrameRange {
 /// range.
 std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory);
 
+/// Returns the number of frames that are blurred: their details are coarser than those of the
+/// sharpest tenth of the frames by a factor of 1.7 or more.
+int CountBlurredFrames(const Trajectory& trajectory);
+
 // Each function returns a warning about a finished run, or an empty string.
 
 std::string ScaleWarning(const std::vector<FrameRange>& ranges);
+/// Warns if more than a tenth of the frames are blurred.
+std::string BlurWarning(const Trajectory& trajectory);
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
 std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
 std::string ContradictionWarning(const CalibrationReport& report);

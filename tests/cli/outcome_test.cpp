@@ -74,5 +74,18 @@ TEST(ScaleWarning, NamesTheFramesWhoseScaleIsUncertain) {
   EXPECT_TRUE(CountReasons(trajectory).empty());
 }
 
+TEST(BlurWarning, CountsFramesWhoseDetailsAreCoarserThanThoseOfTheSharpest) {
+  Trajectory trajectory;
+  for (int i = 0; i < 60; ++i) {
+    trajectory.frames.push_back(Posed(0));
+    trajectory.frames.back().finest_octave = i < 20 ? 1 : 2;
+  }
+  EXPECT_EQ(BlurWarning(trajectory), "");
+  for (int i = 30; i < 50; ++i) trajectory.frames[i].finest_octave = 4;
+  EXPECT_EQ(CountBlurredFrames(trajectory), 20);
+  EXPECT_THAT(BlurWarning(trajectory), testing::StartsWith("20 of 60 frames are blurred"));
+  EXPECT_EQ(BlurWarning({}), "");
+}
+
 }  // namespace
 }  // namespace corvo

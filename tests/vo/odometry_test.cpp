@@ -144,13 +144,15 @@ TEST(OdometryTest, TextureThatMovesWithTheCameraIsMaskedAndDoesNotHoldTheCamera)
     texture.rowRange(330, 480).copyTo(covered.back().rowRange(330, 480));
   }
   const Trajectory trajectory = RunDrive(covered, 1);
-  EXPECT_GE(trajectory.PosedShare(), 0.9);
+  // The first map, which depended on the texture, was discarded with its poses.
+  EXPECT_GE(trajectory.PosedShare(), 0.7);
+  EXPECT_EQ(trajectory.frames.front().reason, Reason::kStaticOverlay);
   EXPECT_NEAR(trajectory.frames.back().masked_share, 150. / 480, 0.1);
   const PoseSequence poses = trajectory.PosedFrames();
   const Eigen::Vector3d whole =
       poses.back().world_from_camera.translation() - poses.front().world_from_camera.translation();
   EXPECT_NEAR(whole.normalized().x(), 1, 0.01);
-  for (std::size_t i = 11; i < poses.size(); ++i) {
+  for (std::size_t i = 10; i < poses.size(); ++i) {
     const Eigen::Vector3d moved =
         poses[i].world_from_camera.translation() - poses[i - 10].world_from_camera.translation();
     EXPECT_NEAR(moved.norm(), 10 * whole.norm() / (poses.size() - 1.0), 0.1 * moved.norm()) << i;

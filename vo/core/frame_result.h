@@ -53,6 +53,9 @@ struct FrameOutcome {
   int segment = kNoId;  ///< Only poses of one segment are comparable. kNoId before the first.
   int repeats = kNoId;  ///< Index of the frame whose image this one repeats; or kNoId.
   int num_features = 0;
+  /// The finest octave with keypoints; kNoId without keypoints. It is 0 in sharp images, higher in
+  /// blurred or enlarged ones, whose finest octaves show nothing that coarser ones do not.
+  int finest_octave = kNoId;
   /// Share of the image that was excluded because it moves with the camera, 0 to 1.
   double masked_share = 0;
   int num_matches = 0;      ///< Matches with the reference frame or, with a map, with landmarks.

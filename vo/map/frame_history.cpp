@@ -56,6 +56,11 @@ void FrameHistory::Add(const Frame& frame) {
   outcome.index = frame.index;
   outcome.time_ns = frame.time_ns;
   outcome.num_features = frame.num_keypoints();
+  for (const orb::Keypoint& keypoint : frame.features.keypoints) {
+    const bool is_first = outcome.finest_octave == kNoId;
+    outcome.finest_octave =
+        is_first ? keypoint.octave : std::min(outcome.finest_octave, keypoint.octave);
+  }
 }
 
 int FrameHistory::AddRepeat(TimeNs time_ns) {
@@ -133,6 +138,20 @@ void FrameHistory::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
   }
   keyframes_.erase(removed);
   Join(after, map);
+}
+
+void FrameHistory::DiscardPoses(Reason reason) {
+  for (Record& record : records_) {
+    FrameOutcome& outcome = record.outcome;
+    if (record.keyframe != kNoId) outcome.reason = reason;
+    outcome.state = State::kInitializing;
+    outcome.is_keyframe = false;
+    outcome.segment = kNoId;
+    record.keyframe = kNoId;
+    record.reference = kNoId;
+  }
+  keyframes_.clear();
+  scales_.clear();
 }
 
 void FrameHistory::SetRotation(int frame, int reference, const SO3& reference_from_camera) {

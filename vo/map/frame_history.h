@@ -61,6 +61,9 @@ class FrameHistory {
   /// nor the newest of its segment. Its frames are then expressed relative to the keyframes around
   /// it.
   void RemoveKeyframe(KeyframeId keyframe, const Map& map);
+  /// Removes the poses and rotations of all frames, and the keyframes. Frames that were posed get
+  /// the reason.
+  void DiscardPoses(Reason reason);
   /// Expresses the rotation of a frame that is not posed relative to an earlier frame. A frame that
   /// is its own reference starts a chain of rotations.
   void SetRotation(int frame, int reference, const SO3& reference_from_camera);

@@ -303,4 +303,12 @@ std::vector<Covisible> Map::CountShared(const std::vector<LandmarkId>& landmarks
   return covisible;
 }
 
+int CountExistingLandmarks(const Map& map, const Frame& frame) {
+  int count = 0;
+  for (const LandmarkId id : frame.landmarks) {
+    count += map.FindLandmark(map.Resolve(id)) != nullptr;
+  }
+  return count;
+}
+
 }  // namespace corvo

@@ -78,6 +78,11 @@ struct Covisible {
 /// Returns the first keyframes of the list, at most `max_count`.
 std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, int max_count);
 
+class Map;
+
+/// Returns the number of keypoints of a frame that observe a landmark which still exists.
+int CountExistingLandmarks(const Map& map, const Frame& frame);
+
 /// The owner of keyframes and landmarks. Links between them are ids, kept consistent in both
 /// directions: keypoint k of keyframe f names landmark l if and only if the track of l contains (f,
 /// k).

@@ -42,15 +42,17 @@ bool IsContested(const Eigen::Vector2d& pixel, const std::vector<Matched>& match
 
 }  // namespace
 
-void RemoveContestedKeypoints(const std::vector<int>& contradictions, Frame& frame) {
-  if (contradictions.empty()) return;
+double RemoveContestedKeypoints(const std::vector<int>& contradictions, Frame& frame) {
+  if (contradictions.empty()) return 0;
   const std::vector<Matched> matched = CollectMatched(contradictions, frame);
   std::vector<int> kept;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     const bool is_kept = frame.landmarks[k] != kNoId || !IsContested(frame.pixel(k), matched);
     if (is_kept) kept.push_back(k);
   }
+  const auto num_all = static_cast<double>(frame.num_keypoints());
   SelectKeypoints(kept, frame);
+  return 1 - frame.num_keypoints() / num_all;
 }
 
 }  // namespace corvo

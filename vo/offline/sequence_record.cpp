@@ -49,7 +49,10 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& l
                                const SequenceOptions& options)
     : options_(options) {
   std::set<FrameKey> others;
+  const Trajectory trajectory = odometry.GetTrajectory();
   const auto keep = [&](const FrameObservations& seen) {
+    // The odometry may have discarded the poses of a frame and started anew.
+    if (!trajectory.frames[seen.frame].world_from_camera) return;
     for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
     if (seen.keyframe == kNoId) {
       others.insert(KeyOf(seen));
@@ -62,7 +65,6 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& l
   for (const KeyframeId id : map.ActiveKeyframes()) keep(ObservationsOf(map.keyframe(id), map));
   KeepLandmarks();
   const std::set<FrameKey> chosen = ChooseBetween(others);
-  const Trajectory trajectory = odometry.GetTrajectory();
   log.Visit([&](const FrameObservations& seen) {
     if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
     frames_[KeyOf(seen)] = {KnownOf(seen), *trajectory.frames[seen.frame].world_from_camera};

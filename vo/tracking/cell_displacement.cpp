@@ -20,6 +20,11 @@ constexpr double kMaxResidual = 0.5;
 /// A residual below this is noise of the sensor or of a codec, gray levels.
 constexpr double kMaxNoise = 3;
 
+/// Returns the number of cells along an axis. The last one may be incomplete, by up to a half.
+int CountCells(int size) {
+  return std::max(1, static_cast<int>(std::lround(size / double{CellDisplacement::kCellSize})));
+}
+
 }  // namespace
 
 ReducedImage::ReducedImage(const cv::Mat& image)
@@ -36,8 +41,7 @@ ReducedImage::ReducedImage(const cv::Mat& image)
 
 CellDisplacement::CellDisplacement(const ReducedImage& reference)
     : reference_(reference),
-      num_cells_(std::max(1, reference.pixels.cols / kCellSize),
-                 std::max(1, reference.pixels.rows / kCellSize)) {
+      num_cells_(CountCells(reference.pixels.cols), CountCells(reference.pixels.rows)) {
   const cv::Mat kernel_x = (cv::Mat_<float>(1, 3) << -1, 0, 1);
   const cv::Mat kernel_y = (cv::Mat_<float>(3, 1) << -1, 0, 1);
   cv::filter2D(reference_.pixels, gradient_x_, CV_16S, kernel_x);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "vo/math/median.h"
@@ -15,6 +17,9 @@ namespace {
 /// static scenes with a right calibration stay above 0.55.
 constexpr int kNumShares = 5;
 constexpr double kMinInlierShare = 0.54;
+/// The share of contested keypoints from which on they are much of a frame. Recordings of static
+/// scenes stay below, but for 1 of 100 keyframes of blurred ones.
+constexpr double kMaxContestedShare = 0.25;
 /// Frames whose median speed is compared with that of the frames before them.
 constexpr int kNumNewest = 3;
 constexpr int kNumBefore = 10;
@@ -23,9 +28,14 @@ constexpr int kMinBefore = 5;
 constexpr double kMaxFactor = 3;
 /// Noise of the flow, rad per frame: about one pixel.
 constexpr double kFlowNoise = 0.002;
-/// The quantile of the flow: a vehicle that covers half of the image hides slower flow.
+/// The flow is measured in cells of the image, with this number along each axis, so that an object
+/// with rich texture does not count more than its area.
+constexpr int kNumCells = 8;
+constexpr int kMinMatches = 3;  // In a cell that counts.
+constexpr int kMinCells = 8;
+/// The quantile of the flow: an object that covers more than half of the image may move with the
+/// camera.
 constexpr double kFlowQuantile = 0.8;
-constexpr int kMinMatches = 30;
 
 bool DifferByFactor(double a, double b) { return std::abs(std::log(a / b)) > std::log(kMaxFactor); }
 
@@ -39,7 +49,7 @@ double MedianSpeed(Iterator begin, Iterator end) {
 }  // namespace
 
 ScaleEvidence CollectScaleEvidence(const Map& map, const Frame& previous, const Frame& frame,
-                                   double inlier_share) {
+                                   const TrackingResult& tracking) {
   const SE3 camera_from_world = frame.world_from_camera.Inverse();
   std::vector<double> depths;
   for (const LandmarkId id : frame.landmarks) {
@@ -49,30 +59,39 @@ ScaleEvidence CollectScaleEvidence(const Map& map, const Frame& previous, const 
   const double duration_s = static_cast<double>(frame.time_ns - previous.time_ns) * 1e-9;
   const double distance =
       (frame.world_from_camera.translation() - previous.world_from_camera.translation()).norm();
-  return {inlier_share, duration_s, distance / duration_s, Median(std::move(depths))};
+  const double inlier_share = static_cast<double>(tracking.num_inliers) / tracking.num_matches;
+  return {inlier_share, tracking.contested_share, duration_s, distance / duration_s,
+          Median(std::move(depths))};
 }
 
 std::optional<double> MeasureParallaxFlow(const Frame& previous, const Frame& frame) {
   const SO3 now_from_previous =
       (frame.world_from_camera.Inverse() * previous.world_from_camera).rotation();
-  std::vector<double> angles;
+  std::map<std::pair<int, int>, std::vector<double>> angles;  // By cell.
   for (const orb::Match& match : MatchFrames(previous, frame)) {
     const Eigen::Vector3d before = now_from_previous * previous.rays[match.query].homogeneous();
     const Eigen::Vector3d now = frame.rays[match.train].homogeneous();
-    angles.push_back(std::atan2(before.cross(now).norm(), before.dot(now)));
+    const Eigen::Vector2d& pixel = frame.pixel(match.train);
+    const int column = static_cast<int>(pixel.x() * kNumCells / frame.camera.width);
+    const int row = static_cast<int>(pixel.y() * kNumCells / frame.camera.height);
+    angles[{row, column}].push_back(std::atan2(before.cross(now).norm(), before.dot(now)));
   }
-  const auto count = static_cast<double>(angles.size());
-  if (count < kMinMatches) return std::nullopt;
-  const auto quantile = angles.begin() + static_cast<std::ptrdiff_t>(kFlowQuantile * count);
-  std::nth_element(angles.begin(), quantile, angles.end());
-  return *quantile;
+  std::vector<double> medians;
+  for (auto& [cell, values] : angles) {
+    if (static_cast<int>(values.size()) >= kMinMatches) medians.push_back(Median(values));
+  }
+  if (static_cast<int>(medians.size()) < kMinCells) return std::nullopt;
+  const auto rank =
+      static_cast<std::ptrdiff_t>(kFlowQuantile * static_cast<double>(medians.size()));
+  std::nth_element(medians.begin(), medians.begin() + rank, medians.end());
+  return medians[rank];
 }
 
 bool ScaleMonitor::Add(const ScaleEvidence& evidence,
                        const std::function<std::optional<double>()>& measure_flow) {
   recent_.push_back(evidence);
   if (static_cast<int>(recent_.size()) > kNumNewest + kNumBefore) recent_.pop_front();
-  if (IsContested()) return true;
+  if (IsContested() || evidence.contested_share > kMaxContestedShare) return true;
   const std::optional<double> depth = DepthBeforeChange();
   if (!depth) return false;
   const std::optional<double> flow = measure_flow();

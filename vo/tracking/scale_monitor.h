@@ -7,29 +7,33 @@
 
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
+#include "vo/tracking/tracker.h"
 
 namespace corvo {
 
 /// What a posed frame says about the scale of its segment.
 struct ScaleEvidence {
   double inlier_share = 1;  ///< Share of the matches with landmarks that are inliers of the pose.
-  double duration_s = 0;    ///< Time since the previous posed frame.
-  double speed = 0;         ///< Distance from the previous posed frame over that time, units/s.
-  double depth = 0;         ///< Median depth of the landmarks that the frame observes, units.
+  double contested_share = 0;  ///< Share of the keypoints that are likely on a moving object.
+  double duration_s = 0;       ///< Time since the previous posed frame.
+  double speed = 0;            ///< Distance from the previous posed frame over that time, units/s.
+  double depth = 0;            ///< Median depth of the landmarks that the frame observes, units.
 };
 
 ScaleEvidence CollectScaleEvidence(const Map& map, const Frame& previous, const Frame& frame,
-                                   double inlier_share);
+                                   const TrackingResult& tracking);
 
-/// Returns the 80% quantile of the angles by which matches between two posed frames moved, less
-/// what the rotation of the camera explains, rad; std::nullopt if there are too few matches.
+/// Returns the 80% quantile, over the cells of a grid, of the median angles by which matches
+/// between two posed frames moved, less what the rotation of the camera explains, rad. Returns
+/// std::nullopt if too few cells have matches.
 std::optional<double> MeasureParallaxFlow(const Frame& previous, const Frame& frame);
 
 /// Finds posed frames whose scale cannot be relied upon. A monocular map has no scale of its own:
 /// wrong landmarks, such as those on a large moving object or on a repetitive texture, change it
-/// without leaving a trace in the residuals. Two signs are used:
+/// without leaving a trace in the residuals. Three signs are used:
 ///
 /// - For several frames, about as many matches with landmarks contradict the pose as agree with it.
+/// - Much of the frame is contested, see RemoveContestedKeypoints.
 /// - The speed has changed by a large factor within a few frames, and the flow of the images has
 ///   not: at the depth of the scene before the change, speed v causes a flow of v / depth.
 class ScaleMonitor {

@@ -20,6 +20,7 @@ struct TrackingResult {
   std::vector<LandmarkId> visible;  ///< Landmarks that should be visible from the pose.
   /// Keypoints whose landmarks contradict the pose. See FindContradictions.
   std::vector<int> contradictions;
+  double contested_share = 0;  ///< See RemoveContestedKeypoints. Set for keyframes only.
 
   bool is_tracked() const { return reason == Reason::kNone; }
 };

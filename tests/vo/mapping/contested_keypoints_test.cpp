@@ -35,7 +35,9 @@ TEST(ContestedKeypointsTest, KeypointsAmongContradictionsAreRemoved) {
     frame.landmarks[k] = kNoId;
   }
   const int num_landmarks = CountObservedLandmarks(frame);
-  RemoveContestedKeypoints(contradictions, frame);
+  const int num_keypoints = frame.num_keypoints();
+  const double share = RemoveContestedKeypoints(contradictions, frame);
+  EXPECT_NEAR(share, 1 - static_cast<double>(frame.num_keypoints()) / num_keypoints, 1e-12);
   EXPECT_EQ(CountObservedLandmarks(frame), num_landmarks);
   int num_free = 0;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
@@ -53,7 +55,7 @@ TEST(ContestedKeypointsTest, ScatteredContradictionsRemoveNothing) {
     frame.landmarks[k] = kNoId;
   }
   const int num_keypoints = frame.num_keypoints();
-  RemoveContestedKeypoints(contradictions, frame);
+  EXPECT_EQ(RemoveContestedKeypoints(contradictions, frame), 0);
   EXPECT_EQ(frame.num_keypoints(), num_keypoints);
 }
 

@@ -18,7 +18,7 @@ class ScaleMonitorTest : public ::testing::Test {
   int Add(int num_frames, double speed, double flow, double inlier_share = 0.9) {
     int num_uncertain = 0;
     for (int i = 0; i < num_frames; ++i) {
-      num_uncertain += monitor_.Add({inlier_share, kFrameTime, speed, kDepth},
+      num_uncertain += monitor_.Add({inlier_share, 0, kFrameTime, speed, kDepth},
                                     [&] { return std::optional(flow / kDepth * kFrameTime); });
     }
     return num_uncertain;
@@ -50,13 +50,19 @@ TEST_F(ScaleMonitorTest, OneOutlierAmongTheSpeedsIsCertain) {
 TEST_F(ScaleMonitorTest, AChangeOfSpeedIsUncertainIfTheFlowIsUnknown) {
   Add(20, 5, 5);
   Add(2, 0.5, 0.5);
-  EXPECT_TRUE(monitor_.Add({0.9, kFrameTime, 0.5, kDepth}, [] { return std::nullopt; }));
+  EXPECT_TRUE(monitor_.Add({0.9, 0, kFrameTime, 0.5, kDepth}, [] { return std::nullopt; }));
 }
 
 TEST_F(ScaleMonitorTest, FramesWhoseMatchesContradictEachOtherAreUncertain) {
   EXPECT_EQ(Add(20, 5, 5, 0.6), 0);
   EXPECT_EQ(Add(2, 5, 5, 0.5), 0);  // Two frames are too few.
   EXPECT_EQ(Add(5, 5, 5, 0.5), 5);
+}
+
+TEST_F(ScaleMonitorTest, AFrameThatIsContestedInLargePartIsUncertain) {
+  const auto flow = [] { return std::optional(0.05); };
+  EXPECT_FALSE(monitor_.Add({0.9, 0.2, kFrameTime, 5, kDepth}, flow));
+  EXPECT_TRUE(monitor_.Add({0.9, 0.4, kFrameTime, 5, kDepth}, flow));
 }
 
 class ParallaxFlowTest : public ::testing::Test {
@@ -81,6 +87,31 @@ TEST_F(ParallaxFlowTest, DoesNotContainTheRotation) {
   EXPECT_LT(*MeasureParallaxFlow(previous, frame), 0.002);
 }
 
+/// Most keypoints are on an object that moves with the camera, on a quarter of the image.
+TEST_F(ParallaxFlowTest, IsThatOfTheSceneIfMostMatchesAreOnAnObjectThatMovesWithTheCamera) {
+  Frame previous = View(SE3());
+  Frame frame = View(SE3(SO3(), {0.5, 0, 0}));
+  orb::Features object;
+  for (int i = 0; i < 2000; ++i) {
+    orb::Keypoint keypoint;
+    keypoint.x = static_cast<float>(random_.Uniform(160, 480));
+    keypoint.y = static_cast<float>(random_.Uniform(120, 360));
+    object.keypoints.push_back(keypoint);
+    object.descriptors.push_back(test::RandomDescriptor(random_));
+  }
+  const auto add_object = [&](const Frame& view) {
+    orb::Features features = view.features;
+    for (int i = 0; i < 2000; ++i) {
+      features.keypoints.push_back(object.keypoints[i]);
+      features.descriptors.push_back(object.descriptors[i]);
+    }
+    Frame both = MakeFrame(0, 0, features, test::PinholeCamera());
+    both.world_from_camera = view.world_from_camera;
+    return both;
+  };
+  EXPECT_NEAR(*MeasureParallaxFlow(add_object(previous), add_object(frame)), 0.05, 0.01);
+}
+
 TEST_F(ParallaxFlowTest, IsUnknownWithoutMatches) {
   const Frame previous = View(SE3());
   scene_ = test::MakeBoxScene(400, 9.9, 10.1, random_);
@@ -99,8 +130,13 @@ TEST(ScaleEvidenceTest, IsMeasuredFromTheFrames) {
   Frame previous = map.keyframe(0).frame;
   Frame frame = map.keyframe(1).frame;
   frame.time_ns = previous.time_ns + 200'000'000;
-  const ScaleEvidence evidence = CollectScaleEvidence(map, previous, frame, 0.7);
+  TrackingResult tracking;
+  tracking.num_matches = 100;
+  tracking.num_inliers = 70;
+  tracking.contested_share = 0.1;
+  const ScaleEvidence evidence = CollectScaleEvidence(map, previous, frame, tracking);
   EXPECT_EQ(evidence.inlier_share, 0.7);
+  EXPECT_EQ(evidence.contested_share, 0.1);
   EXPECT_DOUBLE_EQ(evidence.duration_s, 0.2);
   EXPECT_NEAR(evidence.speed, 1.5, 1e-9);
   EXPECT_NEAR(evidence.depth, 5, 0.1);

@@ -42,6 +42,17 @@ INSTANTIATE_TEST_SUITE_P(Shares, StaticOverlayTest, testing::Values(0.1, 0.2, 0.
                            return std::to_string(static_cast<int>(100 * param_info.param));
                          });
 
+/// The height of these images is not a multiple of that of the cells.
+TEST(StaticOverlayFoundTest, IsMaskedAtTheBorderOfAnImageOfAnySize) {
+  const cv::Size size(600, 430);
+  StaticOverlay overlay;
+  for (const cv::Mat& image : test::MakeDrive(20, 3)) {
+    const cv::Mat part = CoverBottom(image(cv::Rect(cv::Point(), size)), 0.05);
+    overlay.Add(ReducedImage(part));
+  }
+  EXPECT_GT(overlay.masked_share(), 0.03);
+}
+
 TEST(StaticOverlayFoundTest, NothingIsMaskedWhileTheCameraStands) {
   StaticOverlay overlay;
   const cv::Mat image = test::TwoWalls(4).Render(0);
