@@ -14,6 +14,8 @@ const cv::Scalar kTracked(80, 220, 60);  // BGR
 const cv::Scalar kTrail(60, 160, 255);
 const cv::Scalar kExcluded(0.2, 0.2, 0.6);  // Factors of B, G and R.
 const cv::Scalar kUntracked(150, 150, 150);
+const cv::Scalar kCaption(255, 255, 255);
+const cv::Scalar kReasonCaption(60, 220, 255);
 
 cv::Point2f PixelOf(const Frame& frame, int keypoint) {
   const orb::Keypoint& point = frame.keypoint(keypoint);
@@ -29,11 +31,14 @@ std::map<LandmarkId, cv::Point2f> PixelsOfLandmarks(const Frame& frame) {
 }
 
 void DrawCaption(const FrameResult& result, cv::Mat& image) {
-  const std::string text =
-      fmt::format("{}  {}  {} inliers", result.index, ToString(result.state), result.num_inliers);
+  const bool has_reason = result.reason != Reason::kNone;
+  std::string text = fmt::format("{}  {}", result.index, ToString(result.state));
+  if (has_reason) text += fmt::format(": {}", ToString(result.reason));
+  text += fmt::format("  {} inliers", result.num_inliers);
   const cv::Point place(6, image.rows - 8);
+  const cv::Scalar& color = has_reason ? kReasonCaption : kCaption;
   cv::putText(image, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
-  cv::putText(image, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
+  cv::putText(image, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.5, color, 1, cv::LINE_AA);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 
 namespace corvo {
 
-/// Returns the image in color with the frame's keypoints and a caption with its index, state and
-/// number of inliers. Where `mask` is not empty and zero, the image is dark red. Keypoints that
-/// observe a landmark are green circles, with a line from the landmark's pixel in `previous`; the
-/// others are gray dots.
+/// Returns the image in color with the frame's keypoints and a caption with its index, state,
+/// reason and number of inliers. The caption is white, or yellow if there is a reason. Where `mask`
+/// is not empty and zero, the image is dark red. Keypoints that observe a landmark are green
+/// circles, with a line from the landmark's pixel in `previous`; the others are gray dots.
 cv::Mat DrawTracks(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
                    const FrameResult& result, const std::map<LandmarkId, cv::Point2f>& previous);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/track_drawings.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
@@ -55,6 +57,24 @@ TEST(DrawTracks, DarkensWhatIsMasked) {
       DrawTracks(cv::Mat(100, 200, CV_8UC1, cv::Scalar(200)), mask, TwoKeypoints(), {}, {});
   EXPECT_GT(Color(image, 190, 85), 50);
   EXPECT_EQ(Color(image, 190, 60), 0);
+}
+
+/// Returns the largest Color() in the line of the caption of a frame with the reason.
+int CaptionColor(Reason reason) {
+  FrameResult result;
+  result.state = State::kTracking;
+  result.reason = reason;
+  const cv::Mat image = DrawTracks(kImage, cv::Mat(), TwoKeypoints(), result, {});
+  int largest = 0;
+  for (int y = 80; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) largest = std::max(largest, Color(image, x, y));
+  }
+  return largest;
+}
+
+TEST(DrawTracks, ColorsTheCaptionOfAPosedFrameWithAReason) {
+  EXPECT_EQ(CaptionColor(Reason::kNone), 0);
+  EXPECT_GT(CaptionColor(Reason::kScaleUncertain), 100);
 }
 
 TEST(TrackDrawings, AreNumberedLikeTheFrames) {

@@ -23,7 +23,7 @@ enum class State : std::uint8_t {
 
 /// The reason why a frame is not posed or its pose needs care, or kNone.
 enum class Reason : std::uint8_t {
-  kNone,              ///< Posed.
+  kNone,              ///< Posed, and no other reason applies.
   kReferenceFrame,    ///< Initializing: this frame is the new reference.
   kTooFewFeatures,    ///< Too few keypoints: dark, blurred or blank.
   kTooFewMatches,     ///< Too few keypoints match the reference or the map.
@@ -32,7 +32,7 @@ enum class Reason : std::uint8_t {
   kPlanar,            ///< Initializing: a homography explains the matches; the motion is ambiguous.
   kAmbiguousMotion,   ///< Initializing: no motion explains the matches clearly better than others.
   kBadTriangulation,  ///< Initializing: too few points in front with parallax and a low error.
-  kTooFewInliers,     ///< Tracking: too few matches are inliers of a pose.
+  kTooFewInliers,     ///< Tracking: too few inliers of a pose, or no more than chance gives.
   kStaticOverlay,     ///< Too few keypoints: what moves with the camera covers most of the image.
   kRepeatedImage,     ///< Posed: the image repeats that of an earlier frame, whose pose it has.
   /// Posed, but the scale may have changed here: the images do not explain the change of the speed,
@@ -70,8 +70,8 @@ struct FrameOutcome {
 /// The outcome and pose of one input frame. A value type.
 struct FrameResult : FrameOutcome {
   /// Set if and only if the frame is posed: located from enough inlier landmarks, either while
-  /// tracking or afterwards by pose optimization. Never copied from another frame, predicted or
-  /// interpolated.
+  /// tracking or afterwards by pose optimization. A frame that `repeats` another one has the pose
+  /// of that frame. Never predicted or interpolated.
   std::optional<SE3> world_from_camera;
   /// Set if the frame is posed or in State::kRotationOnly. Rotations of two segments share one
   /// reference frame only if the rotation was tracked without a gap between them.

@@ -36,6 +36,9 @@ std::optional<double> MeasureParallaxFlow(const Frame& previous, const Frame& fr
 /// - Much of the frame is contested, see RemoveContestedKeypoints.
 /// - The speed has changed by a large factor within a few frames, and the flow of the images has
 ///   not: at the depth of the scene before the change, speed v causes a flow of v / depth.
+///
+/// An object that covers about half of the image or more can hide the flow of the scene, and then
+/// leaves neither sign.
 class ScaleMonitor {
  public:
   /// Takes the posed frames of one segment in order. Returns whether the scale of this one is
