@@ -64,7 +64,8 @@ class Odometry {
   FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
   /// Returns all frames so far with their current poses: later adjustments change earlier poses,
-  /// and frames before the initialization obtain poses afterwards.
+  /// frames before the initialization obtain poses afterwards, and a segment that sees landmarks of
+  /// an earlier one becomes part of it.
   Trajectory GetTrajectory() const;
 
   /// Ends the sequence: waits for the work in the background, estimates the camera once more from
