@@ -39,6 +39,7 @@ set(corvo_public_headers
   vo/map/observation.h
   vo/map/observation_callback.h
   vo/map/observation_recorder.h
+  vo/map/segment_join.h
   vo/odometry.h
   vo/offline/calibration_check.h
   vo/offline/camera_selection.h
@@ -56,6 +57,4 @@ set(corvo_public_headers
   vo/optimization/bundle_adjuster.h
   vo/optimization/pose_optimizer.h
   vo/tracking/frame_matching.h
-  vo/tracking/motion_model.h
-  vo/tracking/speed_history.h
 )

@@ -10,9 +10,12 @@
 #include "vo/mapping/culling.h"
 #include "vo/mapping/keyframe_policy.h"
 #include "vo/mapping/mapper.h"
+#include "vo/tracking/camera_motion.h"
 #include "vo/tracking/image_motion.h"
 #include "vo/tracking/initializer.h"
+#include "vo/tracking/pending_frames.h"
 #include "vo/tracking/relocalizer.h"
+#include "vo/tracking/segment_joining.h"
 #include "vo/tracking/segment_start.h"
 #include "vo/tracking/tracker.h"
 #include "vo/tracking/unposed_outcome.h"
@@ -32,8 +35,9 @@ Odometry::Odometry(const CameraPrior& prior, const OdometryOptions& options, int
       initializer_(std::make_unique<Initializer>(options, map_.model())),
       tracker_(std::make_unique<Tracker>(options)),
       relocalizer_(std::make_unique<Relocalizer>(options)),
+      joiner_(std::make_unique<SegmentJoiner>(options)),
       mapper_(std::make_unique<Mapper>(prior, options)),
-      speeds_(options.segment_start),
+      motion_(std::make_unique<CameraMotion>(options.segment_start)),
       history_(std::make_unique<FrameHistory>()) {}
 
 Odometry::Odometry(Odometry&&) noexcept = default;
@@ -58,9 +62,11 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   TrackingResult tracking = Track(frame);
   // Before there is a map, and while tracking is lost, the frame may start a new segment.
   if (!tracking.is_tracked()) return Initialize(std::move(frame), tracking);
-  // A moving camera leaves its landmarks behind; a keyframe creates new ones.
+  // A moving camera leaves its landmarks behind; a keyframe creates new ones, or sees those of
+  // another segment.
   if (NeedsKeyframe(CollectEvidence(map_, frame), options_.keyframes)) {
     InsertKeyframe(tracking, frame);
+    JoinSegments(frame);
   }
   return Accept(std::move(frame), tracking);
 }
@@ -112,16 +118,12 @@ void Odometry::RemoveOverlay() {
 void Odometry::Restart(Reason reason) {
   FinishMapping();
   history_->DiscardPoses(reason);
-  map_ = Map({Camera(camera_prior().given), options_.measurement, extractor_.octave_scales()});
-  mapper_ = std::make_unique<Mapper>(camera_prior(), options_);
-  initializer_ = std::make_unique<Initializer>(options_, map_.model());
-  recorder_ = recorder_.WithSameCallbacks();
-  motion_ = {};
-  speeds_ = SpeedHistory(options_.segment_start);
-  scale_monitor_ = {};
-  state_ = State::kInitializing;
-  segment_ = kNoId;
-  previous_ = {};
+  Odometry restarted(camera_prior(), options_, threads_);
+  restarted.history_ = std::move(history_);
+  restarted.image_motion_ = std::move(image_motion_);
+  restarted.recorder_ = recorder_.WithSameCallbacks();
+  restarted.used_mask_ = used_mask_;
+  *this = std::move(restarted);
 }
 
 Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
@@ -154,12 +156,15 @@ TrackingResult Odometry::Track(Frame& frame) {
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
   if (map_.empty()) return tracking;
-  const SE3 predicted = motion_.Predict(previous_, frame.time_ns);
+  const SE3 predicted = motion_->model().Predict(previous_, frame.time_ns);
   tracking = tracker_->Track(map_, previous_, predicted, frame);
   const bool is_sure =
       state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
   if (tracking.is_tracked() && is_sure) return tracking;
-  return relocalizer_->Relocalize(segment_, map_, frame);
+  tracking = relocalizer_->Relocalize(segment_, map_, frame);
+  // Where the frame shows the place of another segment, tracking continues there.
+  if (tracking.is_tracked()) segment_ = SegmentOf(map_, frame);
+  return tracking;
 }
 
 void Odometry::InsertKeyframe(TrackingResult& tracking, Frame& frame) {
@@ -169,26 +174,38 @@ void Odometry::InsertKeyframe(TrackingResult& tracking, Frame& frame) {
   history_->AddKeyframe(frame.index, keyframe, map_);
 }
 
+void Odometry::JoinSegments(Frame& frame) {
+  const StageClock::Scope scope(clock_, &StageTimes::map_ms);
+  if (!joiner_->Search(map_)) return;
+  FinishMapping();
+  if (const std::optional<SegmentJoin> join = joiner_->Estimate(map_)) {
+    history_->JoinSegments(*join, map_);
+    recorder_.AddMerges(joiner_->MergeLandmarks(map_));
+    mapper_->FuseAgain(map_);
+    if (segment_ == join->later) motion_->Transform(join->earlier_from_later);
+    segment_ = join->earlier;
+  }
+  frame = map_.keyframe(map_.num_keyframes() - 1).frame;
+  UpdateRays(camera(), frame);
+}
+
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
   previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
-  CheckScale(frame, tracking);
-  UpdateMotion(previous_, frame);
+  if (history_->outcome(previous_.index).segment == segment_) {
+    const bool is_uncertain = motion_->IsScaleUncertain(map_, previous_, frame, tracking);
+    if (is_uncertain) history_->outcome(frame.index).reason = Reason::kScaleUncertain;
+    motion_->Add(previous_, frame);
+  } else {
+    motion_->EnterSegment();
+  }
   std::vector<Frame> frames = initializer_->TakeFrames();
   frames.push_back(std::move(frame));
   LocalizePendingFrames(frames, static_cast<int>(frames.size()) - 1, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
   return history_->ResultOf(previous_.index, map_);
-}
-
-void Odometry::CheckScale(const Frame& frame, const TrackingResult& tracking) {
-  const ScaleEvidence evidence = CollectScaleEvidence(map_, previous_, frame, tracking);
-  const auto measure_flow = [&] { return MeasureParallaxFlow(previous_, frame); };
-  if (scale_monitor_.Add(evidence, measure_flow)) {
-    history_->outcome(frame.index).reason = Reason::kScaleUncertain;
-  }
 }
 
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
@@ -214,9 +231,13 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   // A frame that was posed in the previous segment keeps that pose.
   const bool is_posed = history_->IsPosed(first.index);
   const std::optional<SO3> rotation = history_->RotationOf(first.index, map_);
-  if (!map_.empty() || !rotation || segment_ == kNoId) ++segment_;
-  first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_);
-  const InitialMap initial = ScaleSegment(*initialization.map, first.time_ns, second.time_ns);
+  const bool is_new = !map_.empty() || !rotation || segment_ == kNoId;
+  if (is_new) segment_ = std::max(segment_, map_.NewestSegment()) + 1;
+  first.world_from_camera = PredictFirstPose(first, rotation, previous_, motion_->model());
+  const std::optional<SpeedGuess> speed = motion_->StartSegment(second.time_ns);
+  history_->SetScale(segment_, ScaleOf(speed));
+  const InitialMap initial =
+      ScaleToSpeed(*initialization.map, second.time_ns - first.time_ns, speed);
   const KeyframeId keyframe = mapper_->InsertInitialMap(initial, segment_, first, second, map_);
   history_->AddKeyframe(first.index, keyframe, map_);
   history_->AddKeyframe(second.index, keyframe + 1, map_);
@@ -224,36 +245,17 @@ void Odometry::StartSegment(const InitializationResult& initialization) {
   const int num_points = static_cast<int>(initial.points.size());
   if (!is_posed) RecordPosed(first, initialization.num_matches, num_points);
   RecordPosed(second, initialization.num_matches, num_points);
-  UpdateMotion(first, second);
-  scale_monitor_ = {};
+  motion_->Add(first, second);
   LocalizePendingFrames(frames, reference, 1);
   LocalizePendingFrames(frames, reference, -1);
   previous_ = std::move(frames.back());
   state_ = State::kTracking;
 }
 
-InitialMap Odometry::ScaleSegment(InitialMap map, TimeNs first_ns, TimeNs second_ns) {
-  const std::optional<SpeedGuess> speed = speeds_.Predict(second_ns);
-  history_->SetScale(segment_, ScaleOf(speed));
-  speeds_.Clear();
-  return ScaleToSpeed(std::move(map), second_ns - first_ns, speed);
-}
-
-void Odometry::UpdateMotion(const Frame& earlier, const Frame& later) {
-  motion_.Update(earlier, later);
-  speeds_.Add(earlier, later);
-}
-
 void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, int step) {
-  const int num_frames = static_cast<int>(frames.size());
-  for (int i = located + step; i >= 0 && i < num_frames; i += step) {
-    Frame& frame = frames[i];
-    if (history_->IsPosed(frame.index)) break;
-    const SE3 predicted = motion_.Predict(frames[located], frame.time_ns);
-    const TrackingResult tracking = tracker_->Track(map_, frames[located], predicted, frame);
-    if (!tracking.is_tracked()) continue;
-    RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
-    located = i;
+  const PendingFrameLocator locator(*tracker_, motion_->model(), map_, *history_);
+  for (const auto& [position, counts] : locator.Locate(frames, located, step)) {
+    RecordPosed(frames[position], counts.num_matches, counts.num_inliers);
   }
 }
 

@@ -19,20 +19,18 @@
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
-#include "vo/tracking/motion_model.h"
-#include "vo/tracking/scale_monitor.h"
-#include "vo/tracking/speed_history.h"
 
 namespace corvo {
 
+class CameraMotion;
 class FrameHistory;
 class ImageMotion;
 class Initializer;
 class Mapper;
 class Relocalizer;
+class SegmentJoiner;
 class Tracker;
 struct InitializationResult;
-struct InitialMap;
 struct MapUpdate;
 struct TrackingResult;
 
@@ -66,7 +64,8 @@ class Odometry {
   FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
   /// Returns all frames so far with their current poses: later adjustments change earlier poses,
-  /// and frames before the initialization obtain poses afterwards.
+  /// frames before the initialization obtain poses afterwards, and a segment that sees landmarks of
+  /// an earlier one becomes part of it.
   Trajectory GetTrajectory() const;
 
   /// Ends the sequence: waits for the work in the background, estimates the camera once more from
@@ -132,18 +131,15 @@ class Odometry {
   /// anywhere.
   TrackingResult Track(Frame& frame);
   void InsertKeyframe(TrackingResult& tracking, Frame& frame);
+  /// Joins the segment of `frame`, which is the newest keyframe, with another one if the camera has
+  /// come to see its landmarks.
+  void JoinSegments(Frame& frame);
   /// Completes a tracked frame: its result, its place in the trajectory and the motion to expect
   /// next.
   FrameResult Accept(Frame frame, const TrackingResult& tracking);
   /// Passes a frame that could not be located to the initializer, whose map starts a segment.
   FrameResult Initialize(Frame frame, const TrackingResult& tracking);
-  /// Marks a posed frame if its scale is uncertain.
-  void CheckScale(const Frame& frame, const TrackingResult& tracking);
   void StartSegment(const InitializationResult& initialization);
-  /// Scales the first map of the segment, whose frames were taken at the given times, to the speed
-  /// before the loss, and records how the scale came about.
-  InitialMap ScaleSegment(InitialMap map, TimeNs first_ns, TimeNs second_ns);
-  void UpdateMotion(const Frame& earlier, const Frame& later);
   /// Locates the frames after (step 1) or before (step -1) a located one, up to the next that has a
   /// pose.
   void LocalizePendingFrames(std::vector<Frame>& frames, int located, int step);
@@ -159,10 +155,9 @@ class Odometry {
   std::unique_ptr<Initializer> initializer_;
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<Relocalizer> relocalizer_;
+  std::unique_ptr<SegmentJoiner> joiner_;
   std::unique_ptr<Mapper> mapper_;
-  MotionModel motion_;
-  SpeedHistory speeds_;
-  ScaleMonitor scale_monitor_;
+  std::unique_ptr<CameraMotion> motion_;
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/run_results.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,26 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
 constexpr const char* kSegmentPrefix = "trajectory_segment_";
 constexpr const char* kSegmentSuffix = ".tum";
 
+/// Returns the poses of several segments in the order of the frames, with a comment wherever the
+/// segment changes.
+std::vector<CommentedPoses> MarkSegments(const std::vector<Segment>& segments,
+                                         const Trajectory& trajectory) {
+  std::map<int, std::string> comments;
+  for (const Segment& segment : segments) comments[segment.index] = ToText(segment);
+  std::vector<CommentedPoses> parts;
+  int segment = kNoId;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) continue;
+    if (parts.empty() || frame.segment != segment) {
+      segment = frame.segment;
+      parts.push_back({comments[segment], {}});
+      comments[segment] = fmt::format("segment {}, continued", segment);
+    }
+    parts.back().poses.push_back({frame.time_ns, *frame.world_from_camera});
+  }
+  return parts;
+}
+
 /// Writes trajectory.tum and, if there are several segments, marks them there and writes each to a
 /// file of its own, too.
 void WriteSegments(const Trajectory& trajectory, const OutputFolder& output) {
@@ -61,13 +82,11 @@ void WriteSegments(const Trajectory& trajectory, const OutputFolder& output) {
     WriteTum(output.Stage("trajectory.tum"), trajectory.PosedFrames());
     return;
   }
-  std::vector<CommentedPoses> parts;
   for (const Segment& segment : segments) {
-    parts.push_back({ToText(segment), PosesOf(segment, trajectory)});
     const std::string name = fmt::format("{}{}{}", kSegmentPrefix, segment.index, kSegmentSuffix);
-    WriteTumParts(output.Stage(name), {parts.back()});
+    WriteTumParts(output.Stage(name), {{ToText(segment), PosesOf(segment, trajectory)}});
   }
-  WriteTumParts(output.Stage("trajectory.tum"), parts);
+  WriteTumParts(output.Stage("trajectory.tum"), MarkSegments(segments, trajectory));
 }
 
 void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output) {

@@ -105,6 +105,22 @@ TEST_F(FilmWithACut, TrajectoryMarksTheSegmentsAndEachHasAFile) {
   }
 }
 
+TEST_F(FilmWithACut, ASegmentToWhichTheFilmReturnsIsContinued) {
+  int index = 100 + 2 * kFramesOfAScene;
+  for (const cv::Mat& image : MakeDrive(kFramesOfAScene, 7)) {
+    WriteImage(folder_ / fmt::format("images/{}.png", index++), image);
+  }
+  EXPECT_EQ(RunOn(3 * kFramesOfAScene).exit_code, kLost);
+  const nlohmann::json segments = Segments();
+  ASSERT_EQ(segments.size(), 2u);
+  EXPECT_EQ(segments[0]["last_frame"], 3 * kFramesOfAScene - 1);
+  EXPECT_EQ(segments[0]["num_poses"], 2 * kFramesOfAScene);
+  EXPECT_THAT(ReadText(result_ / "trajectory.tum"), HasSubstr("\n# segment 0, continued\n"));
+  const PoseSequence whole = ReadTum(result_ / "trajectory.tum");
+  EXPECT_EQ(whole.size(), 2 * kFramesOfAScene + segments[1]["num_poses"].get<std::size_t>());
+  EXPECT_EQ(ReadTum(result_ / "trajectory_segment_0.tum").size(), 2u * kFramesOfAScene);
+}
+
 TEST_F(FilmWithACut, FilesOfSegmentsThatNoLongerExistAreRemoved) {
   RunOn(2 * kFramesOfAScene);
   ASSERT_TRUE(fs::exists(result_ / "trajectory_segment_1.tum"));

@@ -223,6 +223,33 @@ struct SegmentStartOptions {
   }
 };
 
+/// Options for joining two segments that have landmarks in common.
+struct SegmentJoiningOptions {
+  int min_common_landmarks = 20;        // As many as a pose requires.
+  double max_depth_factor = 1.3;        // Far more than the noise of triangulated depths.
+  double min_consistent_share = 0.8;    // One rigid scene, a few wrong matches.
+  double max_scale_factor = 1.15;       // The spread of depths, averaged over the landmarks.
+  double max_rotation_deg = 5.0;        // Far more than the noise of a pose.
+  double max_translation_share = 0.15;  // As for the scale.
+
+  template <typename Self, typename Visitor>
+  static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("min_common_landmarks", self.min_common_landmarks, 3, 100000,
+          "keypoints of a keyframe that must observe a landmark in both segments");
+    field("max_depth_factor", self.max_depth_factor, 1.0, 100.0,
+          "largest factor between a keypoint's ratio of depths and the median ratio");
+    field("min_consistent_share", self.min_consistent_share, 0.5, 1.0,
+          "least share of the common landmarks that are within that factor");
+    field("max_scale_factor", self.max_scale_factor, 1.0, 100.0,
+          "largest factor between the scales that two keyframes give");
+    field("max_rotation_deg", self.max_rotation_deg, 0.0, 180.0,
+          "largest angle between the rotations that two keyframes give, degrees");
+    field(
+        "max_translation_share", self.max_translation_share, 0.0, 100.0,
+        "largest distance between the positions that two keyframes give, as a share of the depth");
+  }
+};
+
 /// Options that decide when a frame becomes a keyframe.
 struct KeyframeOptions {
   double max_tracked_share = 0.75;  // ablation
@@ -408,6 +435,7 @@ struct OdometryOptions {
   TrackerOptions tracker;
   RelocalizerOptions relocalizer;
   SegmentStartOptions segment_start;
+  SegmentJoiningOptions segment_joining;
   KeyframeOptions keyframes;
   LandmarkOptions landmarks;
   CullingOptions culling;
@@ -430,6 +458,7 @@ struct OdometryOptions {
     section("tracker", self.tracker);
     section("relocalizer", self.relocalizer);
     section("segment_start", self.segment_start);
+    section("segment_joining", self.segment_joining);
     section("keyframes", self.keyframes);
     section("landmarks", self.landmarks);
     section("culling", self.culling);

@@ -104,7 +104,7 @@ void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera,
 KeyframeId FrameHistory::FindKeyframe(int frame, int segment, const Map& map) const {
   KeyframeId found = kNoId;
   for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe) {
-    if (map.SegmentOf(keyframe->first) != segment) break;
+    if (map.SegmentOf(keyframe->first) != segment) continue;
     found = keyframe->first;
     if (keyframe->second.frame <= frame) break;
   }
@@ -130,7 +130,8 @@ void FrameHistory::RemoveKeyframe(KeyframeId keyframe, const Map& map) {
   const auto before = std::prev(removed);
   const auto after = std::next(removed);
   const SE3 before_from_world = map.WorldFromKeyframe(before->first).Inverse();
-  for (int frame = before->second.frame + 1; frame < after->second.frame; ++frame) {
+  // Two keyframes of joined segments may be of the same frame.
+  for (int frame = before->second.frame + 1; frame <= after->second.frame; ++frame) {
     Record& record = records_[frame];
     if (record.keyframe != before->first && record.keyframe != keyframe) continue;
     record.from_camera = before_from_world * PoseOf(frame, map);
@@ -152,6 +153,36 @@ void FrameHistory::DiscardPoses(Reason reason) {
   }
   keyframes_.clear();
   scales_.clear();
+}
+
+void FrameHistory::JoinSegments(const SegmentJoin& join, Map& map) {
+  std::map<int, SE3> poses = PosesOf(join.later, map);
+  for (auto& [frame, pose] : poses) pose = TransformPose(join.earlier_from_later, pose);
+  poses.merge(PosesOf(join.earlier, map));
+  map.JoinSegments(join);
+  for (Record& record : records_) {
+    if (record.outcome.segment == join.later) record.outcome.segment = join.earlier;
+  }
+  // The neighbors of keyframes and frames have changed.
+  for (auto keyframe = keyframes_.begin(); keyframe != keyframes_.end(); ++keyframe) {
+    if (map.SegmentOf(keyframe->first) == join.earlier) Join(keyframe, map);
+  }
+  for (const auto& [frame, pose] : poses) {
+    if (keyframes_.at(records_[frame].keyframe).frame == frame &&
+        records_[frame].outcome.is_keyframe) {
+      continue;
+    }
+    SetPose(frame, join.earlier, pose, map);
+  }
+}
+
+std::map<int, SE3> FrameHistory::PosesOf(int segment, const Map& map) const {
+  std::map<int, SE3> poses;
+  for (int frame = 0; frame < size(); ++frame) {
+    if (!IsPosed(frame) || map.SegmentOf(records_[frame].keyframe) != segment) continue;
+    poses[frame] = PoseOf(frame, map);
+  }
+  return poses;
 }
 
 void FrameHistory::SetRotation(int frame, int reference, const SO3& reference_from_camera) {

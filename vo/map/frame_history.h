@@ -64,6 +64,8 @@ class FrameHistory {
   /// Removes the poses and rotations of all frames, and the keyframes. Frames that were posed get
   /// the reason.
   void DiscardPoses(Reason reason);
+  /// Joins two segments of the map and moves the frames of the later one with it.
+  void JoinSegments(const SegmentJoin& join, Map& map);
   /// Expresses the rotation of a frame that is not posed relative to an earlier frame. A frame that
   /// is its own reference starts a chain of rotations.
   void SetRotation(int frame, int reference, const SO3& reference_from_camera);
@@ -95,8 +97,10 @@ class FrameHistory {
   };
   using Keyframes = std::map<KeyframeId, Keyframe>;
 
-  /// Returns the keyframe that a frame is expressed relative to.
+  /// Returns the keyframe that a frame of a segment is expressed relative to.
   KeyframeId FindKeyframe(int frame, int segment, const Map& map) const;
+  /// Returns the posed frames of a segment with their poses.
+  std::map<int, SE3> PosesOf(int segment, const Map& map) const;
   /// Sets `from_before` of a keyframe from the current poses of the map.
   void Join(Keyframes::iterator keyframe, const Map& map);
 

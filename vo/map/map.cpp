@@ -64,6 +64,41 @@ SE3 Map::WorldFromKeyframe(KeyframeId id) const {
   return world_from_current * current_from_keyframe;
 }
 
+int Map::NewestSegment() const {
+  int newest = kNoId;
+  for (const KeyframePose& pose : keyframe_poses_) newest = std::max(newest, pose.segment);
+  return newest;
+}
+
+bool Map::IsMovable(int segment) const {
+  for (KeyframeId id = 0; id < num_keyframes(); ++id) {
+    if (SegmentOf(id) == segment && !IsActive(id) && !IsCulled(id)) return false;
+  }
+  return true;
+}
+
+void Map::JoinSegments(const SegmentJoin& join) {
+  const double scale = join.earlier_from_later.scale();
+  for (KeyframePose& pose : keyframe_poses_) {
+    if (pose.segment != join.later) continue;
+    pose.segment = join.earlier;
+    pose.pose = SE3(pose.pose.rotation(), scale * pose.pose.translation());  // Of culled ones.
+  }
+  for (auto& [id, keyframe] : keyframes_) {
+    if (keyframe.segment != join.later) continue;
+    keyframe.segment = join.earlier;
+    SE3& pose = keyframe.frame.world_from_camera;
+    pose = TransformPose(join.earlier_from_later, pose);
+  }
+  for (auto& [id, landmark] : landmarks_) {
+    if (landmark.segment != join.later) continue;
+    landmark.segment = join.earlier;
+    landmark.in_world = join.earlier_from_later * landmark.in_world;
+    landmark.view_direction = join.earlier_from_later.rotation() * landmark.view_direction;
+    landmark.max_distance *= scale;
+  }
+}
+
 const Landmark* Map::FindLandmark(LandmarkId id) const {
   const auto found = landmarks_.find(id);
   return found == landmarks_.end() ? nullptr : &found->second;

@@ -12,6 +12,7 @@
 #include "vo/core/conventions.h"
 #include "vo/map/frame.h"
 #include "vo/map/measurement_model.h"
+#include "vo/map/segment_join.h"
 
 namespace corvo {
 
@@ -119,6 +120,12 @@ class Map {
 
   /// Returns the segment of any keyframe.
   int SegmentOf(KeyframeId id) const { return keyframe_poses_[id].segment; }
+  /// Returns the highest index of the keyframes' segments, or kNoId without keyframes.
+  int NewestSegment() const;
+  /// Returns whether no keyframe of a segment was marginalized, so that it may still move.
+  bool IsMovable(int segment) const;
+  /// Moves the keyframes and landmarks of the later segment, which is movable, to the earlier one.
+  void JoinSegments(const SegmentJoin& join);
   /// Returns the pose of any keyframe; that of a culled one follows its anchor.
   SE3 WorldFromKeyframe(KeyframeId id) const;
 

@@ -18,8 +18,8 @@ namespace corvo {
 /// is reported with those of its landmarks that are marginalized together with another keyframe.
 struct FrameObservations {
   int frame = 0;
-  int segment = 0;
-  KeyframeId keyframe = kNoId;            ///< kNoId in the report of a newly posed frame.
+  int segment = 0;              ///< At this time: it may be joined with another one later.
+  KeyframeId keyframe = kNoId;  ///< kNoId in the report of a newly posed frame.
   std::vector<Observation> observations;  ///< Pixels and sigmas in single precision.
   std::vector<Eigen::Vector3d> in_world;  ///< Landmark positions; for keyframes only.
   std::vector<LandmarkMerge> merges;      ///< Merges since the previous posed frame.

@@ -44,8 +44,12 @@ double RedundantShare(const Map& map, const Keyframe& keyframe, int num_observer
   return num_landmarks == 0 ? 1.0 : static_cast<double>(num_redundant) / num_landmarks;
 }
 
-bool IsFirstOfSegment(const Map& map, const Keyframe& keyframe) {
-  return keyframe.id == 0 || map.SegmentOf(keyframe.id - 1) != keyframe.segment;
+/// Returns whether the keyframes before and after this one are of its segment.
+bool IsInsideSegment(const Map& map, const Keyframe& keyframe) {
+  const auto is_inside = [&](KeyframeId id) {
+    return id >= 0 && id < map.num_keyframes() && map.SegmentOf(id) == keyframe.segment;
+  };
+  return is_inside(keyframe.id - 1) && is_inside(keyframe.id + 1);
 }
 
 bool SharesLandmark(const Map& map, const Keyframe& keyframe, KeyframeId newest) {
@@ -88,7 +92,7 @@ std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& o
   std::sort(candidates.begin(), candidates.end());
   for (const KeyframeId id : candidates) {
     const Keyframe& keyframe = map.keyframe(id);
-    if (IsFirstOfSegment(map, keyframe)) continue;
+    if (!IsInsideSegment(map, keyframe)) continue;
     const double share = RedundantShare(map, keyframe, options.num_redundant_observers);
     if (share <= options.max_redundant_share) continue;
     const std::vector<Covisible> neighbors = map.FindCovisible(id);

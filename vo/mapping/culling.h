@@ -22,7 +22,7 @@ void CullMaskedLandmarks(const cv::Mat& mask, Map& map);
 
 /// Culls the keyframes covisible with `newest` whose landmarks are nearly all observed by enough
 /// other keyframes in the same or a finer octave, and returns them in ascending order. The first
-/// keyframe of a segment is never culled.
+/// and the last of consecutive keyframes of one segment are never culled.
 std::vector<KeyframeId> CullKeyframes(KeyframeId newest, const CullingOptions& options, Map& map);
 
 /// Marginalizes the keyframes that are no longer searched: those that are older than the

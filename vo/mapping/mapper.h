@@ -38,6 +38,9 @@ class Mapper {
   /// that no single frame waits for both.
   KeyframeId InsertKeyframe(Frame& frame, int segment, Map& map);
 
+  /// Lets the next Update() fuse landmarks around the newest keyframe, as after its insertion.
+  void FuseAgain(const Map& map) { unfused_ = map.num_keyframes() - 1; }
+
   /// Does the work of one frame: applies the results of adjustments that are due, culls and
   /// marginalizes keyframes, fuses landmarks around the newest keyframe and starts the next
   /// adjustment.

@@ -93,6 +93,7 @@ class ObservationLog::File {
 
   template <typename T>
   void Write(const std::vector<T>& values) {
+    if (values.empty()) return;  // Its data may be null, which fwrite does not accept.
     if (std::fwrite(values.data(), sizeof(T), values.size(), file_.get()) != values.size()) Fail();
     num_bytes_ += sizeof(T) * values.size();
   }
@@ -100,6 +101,7 @@ class ObservationLog::File {
   template <typename T>
   std::vector<T> Read(std::size_t count) const {
     std::vector<T> values(count);
+    if (count == 0) return values;
     if (std::fread(values.data(), sizeof(T), count, file_.get()) != count) Fail();
     return values;
   }

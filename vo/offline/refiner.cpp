@@ -110,7 +110,7 @@ void LocateFrames(const RefinedMap& refined, int min_inliers, const ObservationL
   const Camera camera(refinement.adjustment.camera);
   log.Visit([&](const FrameObservations& seen) {
     FrameResult& frame = refinement.trajectory.frames[seen.frame];
-    if (seen.keyframe != kNoId || refined.IsAdjusted(KeyOf(seen))) return;
+    if (seen.keyframe != kNoId || refined.IsAdjusted({frame.segment, frame.index})) return;
     const auto located = Locate(seen, *frame.world_from_camera, refined, camera, min_inliers);
     if (!located) return;
     SetPose(*located, frame);

@@ -19,6 +19,13 @@ std::vector<FrameKey> Spread(const std::vector<FrameKey>& elements, int max_coun
   return spread;
 }
 
+/// Returns the pose of an adjusted keyframe. Its frame may have been posed in another segment
+/// first; if the two were joined, that pose remains.
+SE3 PoseOf(KeyframeId keyframe, const Map& map, const FrameResult& frame) {
+  const bool is_posed_before = !frame.is_keyframe && frame.segment == map.SegmentOf(keyframe);
+  return is_posed_before ? *frame.world_from_camera : map.WorldFromKeyframe(keyframe);
+}
+
 /// An observation and its view in a bundle.
 struct Entry {
   Observation observation;
@@ -48,26 +55,28 @@ void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
 SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                                const SequenceOptions& options)
     : options_(options) {
-  std::set<FrameKey> others;
+  const Map& map = odometry.map();
   const Trajectory trajectory = odometry.GetTrajectory();
+  std::set<FrameKey> others;
   const auto keep = [&](const FrameObservations& seen) {
     // The odometry may have discarded the poses of a frame and started anew.
     if (!trajectory.frames[seen.frame].world_from_camera) return;
     for (const LandmarkMerge& merge : seen.merges) merged_into_[merge.from] = merge.into;
     if (seen.keyframe == kNoId) {
-      others.insert(KeyOf(seen));
-    } else if (!odometry.map().IsCulled(seen.keyframe)) {
-      AddKeyframe(seen, odometry.map().WorldFromKeyframe(seen.keyframe));
+      others.insert({trajectory.frames[seen.frame].segment, seen.frame});
+    } else if (!map.IsCulled(seen.keyframe)) {
+      AddKeyframe(seen, map, trajectory);
     }
   };
   log.Visit(keep);
-  const Map& map = odometry.map();
   for (const KeyframeId id : map.ActiveKeyframes()) keep(ObservationsOf(map.keyframe(id), map));
   KeepLandmarks();
   const std::set<FrameKey> chosen = ChooseBetween(others);
   log.Visit([&](const FrameObservations& seen) {
-    if (seen.keyframe != kNoId || chosen.count(KeyOf(seen)) == 0) return;
-    frames_[KeyOf(seen)] = {KnownOf(seen), *trajectory.frames[seen.frame].world_from_camera};
+    const FrameResult& frame = trajectory.frames[seen.frame];
+    const FrameKey key{frame.segment, frame.index};
+    if (seen.keyframe != kNoId || chosen.count(key) == 0) return;
+    frames_[key] = {KnownOf(seen, frame.segment), *frame.world_from_camera};
   });
 }
 
@@ -79,13 +88,18 @@ LandmarkId SequenceRecord::Resolve(LandmarkId id) const {
   return id;
 }
 
-void SequenceRecord::AddKeyframe(const FrameObservations& seen, const SE3& world_from_camera) {
-  AdjustedFrame& frame = frames_[KeyOf(seen)];
-  frame.world_from_camera = world_from_camera;
+void SequenceRecord::AddKeyframe(const FrameObservations& seen, const Map& map,
+                                 const Trajectory& trajectory) {
+  const int segment = map.SegmentOf(seen.keyframe);
+  const auto [added, is_new] = frames_.try_emplace({segment, seen.frame});
+  AdjustedFrame& frame = added->second;
   FrameObservations& all = frame.seen;
-  all.frame = seen.frame;
-  all.segment = seen.segment;
-  all.keyframe = seen.keyframe;
+  if (is_new) {
+    frame.world_from_camera = PoseOf(seen.keyframe, map, trajectory.frames[seen.frame]);
+    all.frame = seen.frame;
+    all.segment = segment;
+    all.keyframe = seen.keyframe;
+  }
   all.observations.insert(all.observations.end(), seen.observations.begin(),
                           seen.observations.end());
   all.in_world.insert(all.in_world.end(), seen.in_world.begin(), seen.in_world.end());
@@ -122,8 +136,8 @@ std::set<FrameKey> SequenceRecord::ChooseBetween(const std::set<FrameKey>& other
   return chosen;
 }
 
-FrameObservations SequenceRecord::KnownOf(const FrameObservations& seen) const {
-  FrameObservations known{seen.frame, seen.segment, seen.keyframe, {}, {}, {}};
+FrameObservations SequenceRecord::KnownOf(const FrameObservations& seen, int segment) const {
+  FrameObservations known{seen.frame, segment, seen.keyframe, {}, {}, {}};
   for (Observation observation : seen.observations) {
     observation.landmark = Resolve(observation.landmark);
     if (in_world_.count(observation.landmark) > 0) known.observations.push_back(observation);

@@ -24,13 +24,12 @@ struct SequenceOptions {
 };
 
 /// Segment and index of a frame. One frame may be the last of a segment and the first of another.
+/// The segment is the final one: those that were reported may have been joined with others since.
 using FrameKey = std::pair<int, int>;
-
-inline FrameKey KeyOf(const FrameObservations& frame) { return {frame.segment, frame.frame}; }
 
 /// A frame to be adjusted, with its observations and pose.
 struct AdjustedFrame {
-  FrameObservations seen;
+  FrameObservations seen;  ///< With the final segment.
   SE3 world_from_camera;
 };
 
@@ -53,12 +52,12 @@ class SequenceRecord {
 
  private:
   /// Adds all or some of the observations of a keyframe.
-  void AddKeyframe(const FrameObservations& seen, const SE3& world_from_camera);
+  void AddKeyframe(const FrameObservations& seen, const Map& map, const Trajectory& trajectory);
   void KeepLandmarks();
   /// Returns some of the frames between each keyframe and the next; `others` are not keyframes.
   std::set<FrameKey> ChooseBetween(const std::set<FrameKey>& others) const;
-  /// Returns a frame's observations of landmarks that keyframes observe.
-  FrameObservations KnownOf(const FrameObservations& seen) const;
+  /// Returns a frame's observations, in a segment, of landmarks that keyframes observe.
+  FrameObservations KnownOf(const FrameObservations& seen, int segment) const;
 
   SequenceOptions options_;
   std::map<FrameKey, AdjustedFrame> frames_;

@@ -42,7 +42,7 @@ AdjustmentWindow SelectNewestKeyframes(const Map& map, KeyframeId newest, int ma
   std::set<KeyframeId> free;
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
   for (auto id = active.rbegin(); id != active.rend(); ++id) {
-    if (map.SegmentOf(*id) != map.SegmentOf(newest)) break;
+    if (map.SegmentOf(*id) != map.SegmentOf(newest)) continue;
     free.insert(*id);
     if (static_cast<int>(free.size()) == max_keyframes) break;
   }

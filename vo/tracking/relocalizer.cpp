@@ -11,15 +11,6 @@
 namespace corvo {
 namespace {
 
-/// Returns the newest active keyframes of a segment, newest first.
-std::vector<KeyframeId> CollectKeyframes(const Map& map, int segment, int max_keyframes) {
-  std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
-  std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
-  std::reverse(keyframes.begin(), keyframes.end());
-  if (static_cast<int>(keyframes.size()) > max_keyframes) keyframes.resize(max_keyframes);
-  return keyframes;
-}
-
 /// Returns the landmark with the nearest descriptor for each keypoint of the frame that has one
 /// within `max_distance` bits.
 std::vector<LandmarkId> FindSimilar(const Map& map, const std::vector<LandmarkId>& landmarks,
@@ -58,7 +49,26 @@ Relocalizer::Relocalizer(const OdometryOptions& options)
     : options_(options.relocalizer), matching_(options.matching), tracker_(options) {}
 
 TrackingResult Relocalizer::Relocalize(int segment, Map& map, Frame& frame) const {
-  const std::vector<KeyframeId> keyframes = CollectKeyframes(map, segment, options_.max_keyframes);
+  std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
+  std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) != segment; });
+  TrackingResult tracking = RelocalizeAmong(std::move(keyframes), map, frame);
+  if (tracking.is_tracked()) return tracking;
+  TrackingResult elsewhere = RelocalizeElsewhere(segment, map, frame);
+  return elsewhere.is_tracked() ? elsewhere : tracking;
+}
+
+TrackingResult Relocalizer::RelocalizeElsewhere(int segment, Map& map, Frame& frame) const {
+  std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
+  std::erase_if(keyframes, [&](KeyframeId id) { return map.SegmentOf(id) == segment; });
+  return RelocalizeAmong(std::move(keyframes), map, frame);
+}
+
+TrackingResult Relocalizer::RelocalizeAmong(std::vector<KeyframeId> keyframes, Map& map,
+                                            Frame& frame) const {
+  std::reverse(keyframes.begin(), keyframes.end());
+  if (static_cast<int>(keyframes.size()) > options_.max_keyframes) {
+    keyframes.resize(options_.max_keyframes);
+  }
   const std::vector<LandmarkId> similar =
       FindSimilar(map, map.FindObserved(keyframes), matching_.max_tracking_distance, frame);
   TrackingResult best;
@@ -74,6 +84,14 @@ TrackingResult Relocalizer::Relocalize(int segment, Map& map, Frame& frame) cons
     }
   }
   return best;
+}
+
+int SegmentOf(const Map& map, const Frame& frame) {
+  for (const LandmarkId id : frame.landmarks) {
+    const Landmark* landmark = map.FindLandmark(id);
+    if (landmark != nullptr) return landmark->segment;
+  }
+  return kNoId;
 }
 
 }  // namespace corvo

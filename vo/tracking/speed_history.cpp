@@ -38,6 +38,13 @@ void SpeedHistory::Add(const Frame& earlier, const Frame& later) {
   }
 }
 
+void SpeedHistory::Transform(const Sim3& to_from_from) {
+  for (Motion& motion : motions_) {
+    motion.vector = to_from_from.scale() * (to_from_from.rotation() * motion.vector);
+    motion.speed *= to_from_from.scale();
+  }
+}
+
 bool SpeedHistory::IsNoise() const {
   double product = 0;
   for (std::size_t i = 1; i < motions_.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "vo/core/conventions.h"
 #include "vo/core/options.h"
+#include "vo/lie/sim3.h"
 #include "vo/map/frame.h"
 
 namespace corvo {
@@ -29,6 +30,9 @@ class SpeedHistory {
 
   /// Removes all motions: those of another segment have another unit.
   void Clear() { motions_.clear(); }
+
+  /// Expresses all motions in another segment.
+  void Transform(const Sim3& to_from_from);
 
   /// Returns the median speed as a guess of the speed up to `time_ns`, or std::nullopt if there is
   /// no motion, or if there are `min_speeds` of them and consecutive ones point in opposite

@@ -123,6 +123,56 @@ TEST_F(FrameHistoryTest, AfterAKeyframeIsRemovedPosesMoveWithItsNeighbors) {
   ExpectPose(3, Ahead(6.2));
 }
 
+TEST_F(FrameHistoryTest, AFrameThatReturnsToASegmentMovesWithItsLastKeyframe) {
+  AddKeyframe(2, 1, Ahead(9));
+  history_.SetPose(4, 0, Ahead(2), map_);
+  ExpectPose(4, Ahead(2));
+  map_.SetPose(1, Ahead(11));
+  ExpectPose(4, Ahead(2));
+  map_.SetPose(0, Ahead(1));
+  ExpectPose(4, Ahead(3));
+}
+
+TEST_F(FrameHistoryTest, FramesMoveWithASegmentThatIsJoinedWithAnEarlierOne) {
+  history_.SetPose(1, 0, Ahead(1), map_);
+  AddKeyframe(2, 1, Ahead(8));
+  AddKeyframe(4, 1, Ahead(12));
+  history_.SetPose(3, 1, Ahead(10), map_);
+  history_.SetPose(5, 1, Ahead(14), map_);
+  for (int i = 0; i < 6; ++i) history_.outcome(i).segment = i < 2 ? 0 : 1;
+  map_.SetPose(2, Ahead(13));  // The frames before and after it have moved when they are joined.
+  const Sim3 move(0.5, turn_, {3, -1, 2});
+  const auto moved = [&](double distance) { return TransformPose(move, Ahead(distance)); };
+  history_.JoinSegments({0, 1, move}, map_);
+  EXPECT_EQ(map_.SegmentOf(2), 0);
+  ExpectPose(1, Ahead(1));
+  ExpectPose(2, moved(8));
+  ExpectPose(3, moved(10.5));
+  ExpectPose(4, moved(13));
+  ExpectPose(5, moved(15));
+  for (const FrameResult& frame : history_.ToTrajectory(map_).frames) EXPECT_LE(frame.segment, 0);
+}
+
+TEST_F(FrameHistoryTest, FramesBetweenJoinedSegmentsMoveWithBoth) {
+  history_.SetPose(1, 0, Ahead(1), map_);
+  AddKeyframe(2, 1, Ahead(20));
+  history_.JoinSegments({0, 1, Sim3(SE3(SO3(), pose_.rotation() * Eigen::Vector3d(0, 0, -16)))},
+                        map_);
+  ExpectPose(1, Ahead(1));
+  map_.SetPose(1, Ahead(4.8));
+  ExpectPose(1, Ahead(1.2));
+}
+
+TEST_F(FrameHistoryTest, OneOfTwoKeyframesOfAFrameCanBeRemovedAfterTheirSegmentsAreJoined) {
+  AddKeyframe(2, 0, Ahead(2));
+  AddKeyframe(2, 1, Ahead(2));
+  AddKeyframe(4, 1, Ahead(4));
+  history_.JoinSegments({0, 1, Sim3()}, map_);
+  map_.CullKeyframe(1, 0);
+  history_.RemoveKeyframe(1, map_);
+  ExpectPose(2, Ahead(2));
+}
+
 TEST_F(FrameHistoryTest, RotationsAreChainedToAPosedFrame) {
   history_.SetRotation(1, 0, turn_);
   history_.SetRotation(2, 1, turn_);

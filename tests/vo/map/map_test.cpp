@@ -208,5 +208,43 @@ TEST_F(MapTest, AppearanceIsTheMedoidAndTheMeanDirection) {
   EXPECT_NEAR(landmark.max_distance, std::sqrt(102.25), 1e-12);
 }
 
+TEST(MapSegmentsTest, JoiningMovesKeyframesAndLandmarksOfTheLaterSegment) {
+  Map map(test::MakeModel());
+  const SE3 ahead(SO3::Exp({0, 0.2, 0}), {0, 0, 1});
+  map.AddKeyframe(MakeBareFrame(3), 0);
+  for (int i = 0; i < 3; ++i) map.AddKeyframe(MakeBareFrame(3, i == 1 ? ahead : SE3()), 1);
+  map.AddKeyframe(MakeBareFrame(3, SE3(SO3(), {0, 0, 1})), 0);
+  const LandmarkId first = map.AddLandmark({1, 0, 5}, {{0, 0}, {4, 0}});
+  const LandmarkId second = map.AddLandmark({1, 2, 4}, {{1, 0}, {3, 0}});
+  for (const LandmarkId id : {first, second}) map.UpdateAppearance(id);
+  const double max_distance = map.FindLandmark(second)->max_distance;
+  map.CullKeyframe(2, 1);
+  EXPECT_EQ(map.NewestSegment(), 1);
+  EXPECT_TRUE(map.IsMovable(1));
+  const Sim3 move(2, SO3::Exp({0.1, 0.2, 0.3}), {7, 8, 9});
+  map.JoinSegments({0, 1, move});
+  EXPECT_EQ(map.NewestSegment(), 0);
+  EXPECT_EQ(map.WorldFromKeyframe(0), SE3());
+  EXPECT_EQ(map.FindLandmark(first)->in_world, Eigen::Vector3d(1, 0, 5));
+  EXPECT_THAT(map.WorldFromKeyframe(1), test::IsPoseNear(TransformPose(move, SE3()), 1e-9, 1e-9));
+  EXPECT_THAT(map.WorldFromKeyframe(2), test::IsPoseNear(TransformPose(move, ahead), 1e-9, 1e-9));
+  EXPECT_EQ(map.keyframe(3).segment, 0);
+  const Landmark& moved = *map.FindLandmark(second);
+  EXPECT_EQ(moved.segment, 0);
+  EXPECT_THAT(moved.in_world, test::IsMatrixNear(move * Eigen::Vector3d(1, 2, 4), 1e-9));
+  EXPECT_NEAR(moved.max_distance, 2 * max_distance, 1e-9);
+  const Eigen::Vector3d direction = moved.view_direction;
+  map.UpdateAppearance(second);
+  EXPECT_THAT(map.FindLandmark(second)->view_direction, test::IsMatrixNear(direction, 1e-9));
+}
+
+TEST(MapSegmentsTest, ASegmentWithAMarginalizedKeyframeIsNotMovable) {
+  Map map(test::MakeModel());
+  for (const int segment : {0, 0, 1}) map.AddKeyframe(MakeBareFrame(1), segment);
+  map.MarginalizeKeyframe(0);
+  EXPECT_FALSE(map.IsMovable(0));
+  EXPECT_TRUE(map.IsMovable(1));
+}
+
 }  // namespace
 }  // namespace corvo

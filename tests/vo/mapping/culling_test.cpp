@@ -51,6 +51,28 @@ TEST_F(CullingTest, RedundantKeyframesAreCulledButNeverTheFirstOrTheNewest) {
   EXPECT_GE(map_.ActiveKeyframes().size(), 3u);  // Redundancy needs three other observers.
 }
 
+TEST_F(CullingTest, KeyframesNextToThoseOfAnotherSegmentStayActive) {
+  for (int i = 0; i < 8; ++i) {
+    views_.push_back(test::ObserveScene(scene_, camera_, SE3(), 0.2, random_));
+  }
+  map_ = Map(test::MakeModel());
+  for (int i = 0; i < 8; ++i) map_.AddKeyframe(views_[i].frame, i == 4 ? 1 : 0);
+  std::vector<std::vector<TrackElement>> tracks(scene_.in_world.size());
+  for (int i = 0; i < 8; ++i) {
+    if (i == 4) continue;
+    for (std::size_t k = 0; k < views_[i].points.size(); ++k) {
+      tracks[views_[i].points[k]].push_back({i, static_cast<int>(k)});
+    }
+  }
+  for (std::size_t point = 0; point < tracks.size(); ++point) {
+    if (tracks[point].size() > 1) map_.AddLandmark(scene_.in_world[point], tracks[point]);
+  }
+  CullKeyframes(7, CullingOptions(), map_);
+  EXPECT_FALSE(map_.IsActive(1));
+  EXPECT_TRUE(map_.IsActive(3));
+  EXPECT_TRUE(map_.IsActive(5));
+}
+
 TEST_F(CullingTest, NeededKeyframesStayActive) {
   MakeViews(3, 400);
   CullKeyframes(2, CullingOptions(), map_);

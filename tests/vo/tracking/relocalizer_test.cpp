@@ -56,9 +56,15 @@ TEST_F(RelocalizerTest, SearchesOnlyTheNewestKeyframes) {
   EXPECT_NE(Locate(view.frame, options).reason, Reason::kNone);
 }
 
-TEST_F(RelocalizerTest, SearchesOnlyTheGivenSegment) {
+TEST_F(RelocalizerTest, SearchesOtherSegmentsLast) {
+  const Relocalizer relocalizer{OdometryOptions()};
   test::SceneView view = View(PoseAt(1));
-  EXPECT_FALSE(Relocalizer(OdometryOptions()).Relocalize(1, map_, view.frame).is_tracked());
+  EXPECT_FALSE(relocalizer.RelocalizeElsewhere(0, map_, view.frame).is_tracked());
+  EXPECT_TRUE(relocalizer.RelocalizeElsewhere(1, map_, view.frame).is_tracked());
+  EXPECT_EQ(SegmentOf(map_, view.frame), 0);
+  view = View(PoseAt(1));
+  EXPECT_TRUE(relocalizer.Relocalize(1, map_, view.frame).is_tracked());
+  EXPECT_EQ(SegmentOf(map_, view.frame), 0);
 }
 
 TEST_F(RelocalizerTest, RequiresEnoughInliers) {

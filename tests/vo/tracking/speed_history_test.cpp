@@ -43,6 +43,12 @@ TEST_F(SpeedHistoryTest, GuessIsTheMedianAndIgnoresOneBadStep) {
   EXPECT_NEAR(history_.Predict(frame_.time_ns)->speed, 2.05, 1e-9);  // The upper median.
 }
 
+TEST_F(SpeedHistoryTest, TheGuessFollowsTheScaleOfAnotherSegment) {
+  Drive({2, 2, 2, 2, 2, 2});
+  history_.Transform(Sim3(1.5, SO3::Exp({0, 0, 2}), {7, 8, 9}));
+  EXPECT_NEAR(history_.Predict(frame_.time_ns)->speed, 3, 1e-9);
+}
+
 TEST_F(SpeedHistoryTest, JitterOfAStandingCameraIsNoMotion) {
   Drive({0.01, -0.012, 0.011, -0.009, 0.01, -0.01});
   EXPECT_FALSE(history_.Predict(frame_.time_ns));
