@@ -34,7 +34,7 @@ std::string_view Advice(Reason reason) {
     case Reason::kTooFewInliers:
       return "tracking was lost: motion blur, fast turns, or moving objects";
     case Reason::kStaticOverlay:
-      return "most of the image moves with the camera: exclude it with --mask";
+      return "much of the image moves with the camera: exclude it with --mask";
     case Reason::kRepeatedImage:
       return "the image repeats the one before";
     case Reason::kScaleUncertain:

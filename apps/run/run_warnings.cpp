@@ -25,7 +25,9 @@ std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
   if (ranges.empty()) return "";
   std::string text;
   for (std::size_t i = 0; i < std::min(ranges.size(), kMaxRanges); ++i) {
-    text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
+    const auto [first, last] = ranges[i];
+    text += i == 0 ? "" : ", ";
+    text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
   }
   if (ranges.size() > kMaxRanges) {
     text += fmt::format(" and {} other ranges", ranges.size() - kMaxRanges);

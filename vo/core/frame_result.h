@@ -33,8 +33,10 @@ enum class Reason : std::uint8_t {
   kAmbiguousMotion,   ///< Initializing: no motion explains the matches clearly better than others.
   kBadTriangulation,  ///< Initializing: too few points in front with parallax and a low error.
   kTooFewInliers,     ///< Tracking: too few inliers of a pose, or no more than chance gives.
-  kStaticOverlay,     ///< Too few keypoints: what moves with the camera covers most of the image.
-  kRepeatedImage,     ///< Posed: the image repeats that of an earlier frame, whose pose it has.
+  /// What moves with the camera covers most of the image and leaves too few keypoints; or the pose
+  /// depended on it and was discarded when it was found.
+  kStaticOverlay,
+  kRepeatedImage,  ///< Posed: the image repeats that of an earlier frame, whose pose it has.
   /// Posed, but the scale may have changed here: the images do not explain the change of the speed,
   /// or about half of the matches with landmarks contradict the pose. See ScaleMonitor.
   kScaleUncertain,
