@@ -181,7 +181,7 @@ TEST(RefinerTest, EachSegmentKeepsThePoseOfItsOldestKeyframe) {
 TEST(RefinerTest, FailureReturnsTheUnrefinedTrajectory) {
   Recorded recorded;
   recorded.Drive(20, 1);
-  FrameObservations broken{1000, 0, 0, {}, {}, {}};
+  FrameObservations broken{1, 0, 0, {}, {}, {}};
   for (LandmarkId id = 0; id < 50; ++id) {
     broken.observations.push_back({id, kNoId, {std::numeric_limits<double>::quiet_NaN(), 0}, 1});
     broken.in_world.emplace_back(0, 0, 5);
