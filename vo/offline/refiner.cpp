@@ -110,6 +110,8 @@ void LocateFrames(const RefinedMap& refined, int min_inliers, const ObservationL
   const Camera camera(refinement.adjustment.camera);
   log.Visit([&](const FrameObservations& seen) {
     FrameResult& frame = refinement.trajectory.frames[seen.frame];
+    // The odometry may have discarded the pose of the frame and started anew.
+    if (!frame.world_from_camera) return;
     if (seen.keyframe != kNoId || refined.IsAdjusted({frame.segment, frame.index})) return;
     const auto located = Locate(seen, *frame.world_from_camera, refined, camera, min_inliers);
     if (!located) return;

@@ -196,6 +196,24 @@ TEST(RefinerTest, FailureReturnsTheUnrefinedTrajectory) {
             AdjustmentStatus::kNoObservations);
 }
 
+/// The first map depends on texture that moves with the camera and is discarded.
+TEST(RefinerTest, FramesWhosePosesWereDiscardedHaveNone) {
+  std::vector<cv::Mat> images = test::MakeDrive(40, 1);
+  const cv::Mat texture = test::MakeTexture(640, 480, 77);
+  for (cv::Mat& image : images) texture.rowRange(330, 480).copyTo(image.rowRange(330, 480));
+  Recorded recorded;
+  recorded.Drive(images);
+  const Trajectory plain = recorded.odometry.GetTrajectory();
+  ASSERT_EQ(plain.frames.front().reason, Reason::kStaticOverlay);
+  const Refinement refined = Refine(recorded.odometry, recorded.log);
+  ASSERT_TRUE(refined.adjustment.is_usable());
+  for (std::size_t i = 0; i < plain.frames.size(); ++i) {
+    EXPECT_EQ(refined.trajectory.frames[i].world_from_camera.has_value(),
+              plain.frames[i].world_from_camera.has_value())
+        << i;
+  }
+}
+
 TEST(RefinerTest, ResultIsIdenticalWhenRepeated) {
   const auto refine = [] {
     Recorded recorded;
