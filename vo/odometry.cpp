@@ -211,7 +211,7 @@ FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
 FrameResult Odometry::Initialize(Frame frame, const TrackingResult& tracking) {
   const StageClock::Scope scope(clock_, &StageTimes::locate_ms);
   const int index = frame.index;
-  const auto lost_s = static_cast<double>(frame.time_ns - previous_.time_ns) * 1e-9;
+  const double lost_s = ToSeconds(frame.time_ns - previous_.time_ns);
   if (!map_.empty() && initializer_->newest() == nullptr) initializer_->StartFrom(previous_);
   const InitializationResult initialization = initializer_->AddFrame(std::move(frame));
   RecordUnposed(index, tracking, initialization);

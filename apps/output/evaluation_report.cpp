@@ -8,8 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double Seconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
-
 Json RelativeJson(const RelativeError& error) {
   return {{"translation", ToJson(error.translation)}, {"rotation_deg", ToJson(error.rotation_deg)}};
 }
@@ -78,14 +76,14 @@ Json ToJson(const Evaluation& evaluation) {
   Json json;
   json["pairs"] = evaluation.num_pairs;
   json["coverage"] = evaluation.coverage;
-  json["max_dt_s"] = Seconds(*options.max_dt_ns);
+  json["max_dt_s"] = ToSeconds(*options.max_dt_ns);
   json["truth_path_length"] = evaluation.truth_path_length;
   json["ate"] = ToJson(evaluation.absolute);
   json["ate"]["percent_of_path"] = PercentOfPath(evaluation);
   json["rpe_frames"] =
       RelativeJson("frames", options.relative_delta_frames, evaluation.relative_frames);
   json["rpe_time"] =
-      RelativeJson("seconds", Seconds(options.relative_delta_ns), evaluation.relative_time);
+      RelativeJson("seconds", ToSeconds(options.relative_delta_ns), evaluation.relative_time);
   if (evaluation.relative_path) {
     json["rpe_path"] =
         RelativeJson("length", *options.relative_delta_path, *evaluation.relative_path);
@@ -115,7 +113,7 @@ std::string ToText(const Evaluation& evaluation) {
   text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
                                    options.relative_delta_frames == 1 ? "" : "s"),
                        evaluation.relative_frames);
-  text += RelativeText(fmt::format("RPE over {:.6g} s", Seconds(options.relative_delta_ns)),
+  text += RelativeText(fmt::format("RPE over {:.6g} s", ToSeconds(options.relative_delta_ns)),
                        evaluation.relative_time);
   if (evaluation.relative_path) {
     text += RelativeText(fmt::format("RPE over {:.6g} of path", *options.relative_delta_path),

@@ -67,7 +67,7 @@ std::string DataBlock(const std::string& name, const PoseSequence& poses, const 
   for (const TimedPose& pose : poses) {
     const Eigen::Vector3d& position = pose.world_from_camera.translation();
     block += fmt::format("{:.6f} {:.6f} {:.6f} {:.6f}\n", position[axes.across], position[axes.up],
-                         position[axes.other], 1e-9 * static_cast<double>(pose.time_ns - start_ns));
+                         position[axes.other], ToSeconds(pose.time_ns - start_ns));
   }
   return block + "EOD\n";
 }

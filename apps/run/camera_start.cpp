@@ -47,7 +47,8 @@ void ReportFocalSearch(const CameraStart& start) {
       "the images do not determine the focal length ({} image pairs); it is initialized to "
       "{:.0f} px with a standard deviation of {:.0f}%. Record a scene that is not flat, and turn "
       "while moving instead of moving straight along the optical axis",
-      search.num_pairs, search.camera.fx, 100 * std::min(search.focal_sigma, 0.5));
+      search.num_pairs, search.camera.fx,
+      100 * std::min(search.focal_sigma, SelfCalibrationOptions().max_focal_sigma));
 }
 
 CameraPrior FindSequenceCamera(const StreamOpener& sequence, const SelfCalibrationOptions& options,

@@ -2,16 +2,11 @@
 #include "apps/run/outcome.h"
 
 #include <algorithm>
-#include <set>
 
 namespace corvo {
 
 int CountPosedSegments(const Trajectory& trajectory) {
-  std::set<int> segments;
-  for (const FrameResult& frame : trajectory.frames) {
-    if (frame.world_from_camera) segments.insert(frame.segment);
-  }
-  return static_cast<int>(segments.size());
+  return static_cast<int>(trajectory.Segments().size());
 }
 
 int CountPosedFrames(const Trajectory& trajectory) {

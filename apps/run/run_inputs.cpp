@@ -20,7 +20,6 @@ namespace corvo {
 namespace {
 
 constexpr double kDefaultFrameRateHz = 30.0;
-constexpr const char* kAuto = "auto";
 
 /// Returns the camera given by --camera, if any: a camera file, or the camera.txt of a TUM-mono
 /// sequence.
@@ -80,7 +79,7 @@ OdometryOptions ReadRunOptions(const RunArguments& arguments) {
 void CheckFocal(const RunArguments& arguments) {
   if (arguments.focal.empty()) return;
   CheckFocalText(arguments.focal);
-  if (arguments.focal != kAuto || !IsLiveInput(arguments.input.string())) return;
+  if (arguments.focal != kAutoFocal || !IsLiveInput(arguments.input.string())) return;
   throw Error(
       fmt::format("--focal auto: {} is a live camera, which cannot be read twice; give --camera "
                   "FILE, --fov DEGREES, or a recording",
@@ -107,7 +106,7 @@ CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<Camera
                        const OdometryOptions& options, const Interruption& interruption,
                        ImageSource& source) {
   if (named) return named->Prior(options.calibration);
-  if (arguments.focal == kAuto) {
+  if (arguments.focal == kAutoFocal) {
     SelfCalibrationOptions calibration;
     calibration.odometry = options;
     calibration.threads = arguments.threads;

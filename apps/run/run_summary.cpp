@@ -14,6 +14,7 @@
 #include "apps/output/reasons.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
+#include "apps/run/stated_focal.h"
 #include "orb/error.h"
 #include "orb/pyramid.h"
 
@@ -83,9 +84,9 @@ std::optional<MatchResiduals> Measure(const Odometry& odometry) {
 }
 
 /// Collects and logs what is doubtful about the result.
-void Warn(const Trajectory& trajectory, const Map& map, RunSummary& summary) {
+void Warn(const Map& map, RunSummary& summary) {
   for (const std::string& warning :
-       {ScaleWarning(summary.uncertain_scale), BlurWarning(trajectory),
+       {ScaleWarning(summary.uncertain_scale), BlurWarning(summary.num_blurred, summary.num_frames),
         ResidualWarning(summary.residuals), FocalLengthWarning(summary.check, map.camera().fx()),
         ContradictionWarning(summary.calibration)}) {
     if (warning.empty()) continue;
@@ -95,7 +96,7 @@ void Warn(const Trajectory& trajectory, const Map& map, RunSummary& summary) {
 }
 
 std::string CameraSource(const RunArguments& arguments) {
-  if (arguments.focal == "auto") return "focal search";
+  if (arguments.focal == kAutoFocal) return "focal search";
   if (!arguments.focal.empty()) return "--focal " + arguments.focal;
   if (arguments.fov_deg) return fmt::format("--fov {}", *arguments.fov_deg);
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
@@ -208,7 +209,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   summary.uncertain_scale = UncertainScaleRanges(trajectory);
   summary.num_blurred = CountBlurredFrames(trajectory);
-  Warn(trajectory, map, summary);
+  Warn(map, summary);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);

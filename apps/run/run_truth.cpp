@@ -25,8 +25,8 @@ void CheckOverlap(const PoseSequence& truth, const std::vector<TimeNs>& frame_ti
   const TimeNs max_dt_ns = HalfFrame(frames);
   if (!Associate(frames, truth, max_dt_ns).empty()) return;
   throw Error(fmt::format("{}: no pose within {} s of any image; the images span {} to {} s",
-                          file.string(), 1e-9 * static_cast<double>(max_dt_ns),
-                          FormatSeconds(frame_times.front()), FormatSeconds(frame_times.back())));
+                          file.string(), ToSeconds(max_dt_ns), FormatSeconds(frame_times.front()),
+                          FormatSeconds(frame_times.back())));
 }
 
 RunTruth ReadChecked(const fs::path& file, const std::vector<TimeNs>& frame_times) {

@@ -53,9 +53,7 @@ int CountBlurredFrames(const Trajectory& trajectory) {
   }));
 }
 
-std::string BlurWarning(const Trajectory& trajectory) {
-  const int num_blurred = CountBlurredFrames(trajectory);
-  const auto num_frames = static_cast<int>(trajectory.frames.size());
+std::string BlurWarning(int num_blurred, int num_frames) {
   if (10 * num_blurred <= num_frames) return "";
   return fmt::format(
       "{} of {} frames are blurred: poses are less accurate there; use a shorter exposure time, or "

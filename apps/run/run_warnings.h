@@ -31,7 +31,7 @@ int CountBlurredFrames(const Trajectory& trajectory);
 
 std::string ScaleWarning(const std::vector<FrameRange>& ranges);
 /// Warns if more than a tenth of the frames are blurred.
-std::string BlurWarning(const Trajectory& trajectory);
+std::string BlurWarning(int num_blurred, int num_frames);
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
 std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
 std::string ContradictionWarning(const CalibrationReport& report);

@@ -22,7 +22,7 @@ bool IsNumber(const std::string& text) {
 }  // namespace
 
 void CheckFocalText(const std::string& text) {
-  if (text == "auto" || IsNumber(text)) return;
+  if (text == kAutoFocal || IsNumber(text)) return;
   throw Error(
       fmt::format("--focal is \"{}\"; allowed is auto, or a focal length in px (for a field of "
                   "view in degrees, give --fov)",
@@ -32,7 +32,7 @@ void CheckFocalText(const std::string& text) {
 std::optional<double> StatedFocal(const std::string& focal, std::optional<double> fov_deg,
                                   int width) {
   if (fov_deg) return FocalOfFov(*fov_deg, width);
-  if (focal.empty() || focal == "auto") return std::nullopt;
+  if (focal.empty() || focal == kAutoFocal) return std::nullopt;
   const double focal_px = ParseNumber(focal, "--focal ");
   const double shortest = FocalOfFov(kMaxStatedFovDeg, width);
   const double longest = FocalOfFov(kMinStatedFovDeg, width);

@@ -11,6 +11,9 @@ namespace corvo {
 inline constexpr double kMinStatedFovDeg = 5;
 inline constexpr double kMaxStatedFovDeg = 150;
 
+/// The value of --focal with which the camera is calibrated from the images.
+inline constexpr const char* kAutoFocal = "auto";
+
 /// Throws corvo::Error unless `text`, the value of --focal, is "auto" or a number.
 void CheckFocalText(const std::string& text);
 

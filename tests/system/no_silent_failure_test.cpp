@@ -69,10 +69,7 @@ Recording Load(const std::string& folder, const PoseSequence& truth, const Camer
 
 Recording LoadKitti(const std::string& sequence, int start) {
   const std::string folder = "kitti/sequences/" + sequence;
-  const PoseSequence truth =
-      WithTimes(ReadKittiPoses(test::DataPath("kitti/poses/" + sequence + ".txt")),
-                ReadKittiTimes(test::DataPath(folder + "/times.txt")));
-  return Load(folder, truth, nullptr, start);
+  return Load(folder, test::ReadKittiTruth(sequence), nullptr, start);
 }
 
 Recording LoadKitchen(int start) {
@@ -98,7 +95,7 @@ Verdict Judge(const Recording& recording) {
   verdict.is_doubted = JudgeOutcome(trajectory) != Outcome::kDone || odometry.prior_rejected() ||
                        !ResidualWarning(MeasureResiduals(odometry.map(), {})).empty() ||
                        !ScaleWarning(UncertainScaleRanges(trajectory)).empty() ||
-                       !BlurWarning(trajectory).empty();
+                       !BlurWarning(CountBlurredFrames(trajectory), recording.size()).empty();
   if (trajectory.PosedFrames().size() > 2) {
     verdict.ate = test::EvaluatePosed(trajectory, recording.truth).absolute.rmse;
   }

@@ -45,11 +45,6 @@ Trajectory RunOnFolder(const std::string& name, const Camera* camera, int max_sh
                            camera ? *camera : Camera(*folder.list.camera));
 }
 
-PoseSequence ReadKittiTruth(const std::string& sequence) {
-  return WithTimes(ReadKittiPoses(test::DataPath("kitti/poses/" + sequence + ".txt")),
-                   ReadKittiTimes(test::DataPath("kitti/sequences/" + sequence + "/times.txt")));
-}
-
 /// Returns body_from_camera of EuRoC's left camera, as published with the dataset
 /// (cam0/sensor.yaml).
 SE3 EurocBodyFromCamera() {
@@ -78,7 +73,8 @@ void ExpectAccurate(const Trajectory& trajectory, const PoseSequence& truth, dou
 
 TEST(RealSequenceTest, Kitti03CountryRoadIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/03");
-  ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), ReadKittiTruth("03"), 0.45, 0.997);
+  ExpectAccurate(RunOnFolder("kitti/sequences/03", nullptr, 8), test::ReadKittiTruth("03"), 0.45,
+                 0.997);
 }
 
 /// Runs on every `step`-th image, starting once from each of the first four images, and expects
@@ -86,7 +82,7 @@ TEST(RealSequenceTest, Kitti03CountryRoadIsTrackedAccurately) {
 void ExpectAccurateWithEvery(int step, const std::string& kitti_sequence, double max_ate) {
   const Folder folder("kitti/sequences/" + kitti_sequence, 8);
   const test::ImageSource all = folder.Source();
-  const PoseSequence truth = ReadKittiTruth(kitti_sequence);
+  const PoseSequence truth = test::ReadKittiTruth(kitti_sequence);
   for (int start = 0; start < 4; ++start) {
     SCOPED_TRACE(start);
     const Trajectory trajectory = test::RunOdometry([&](int i) { return all(start + step * i); },
@@ -115,7 +111,8 @@ TEST(RealSequenceTest, Kitti05KeepsItsScaleAtAThirdOfTheFrameRate) {
 
 TEST(RealSequenceTest, Kitti05SharpTurnIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
-  ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), ReadKittiTruth("05"), 0.08, 0.98);
+  ExpectAccurate(RunOnFolder("kitti/sequences/05", nullptr, 8), test::ReadKittiTruth("05"), 0.08,
+                 0.98);
 }
 
 /// A vehicle crosses 41% of the image in 40 frames, while the camera turns into another street.
@@ -131,7 +128,7 @@ TEST(RealSequenceTest, Kitti05IsTrackedAccuratelyBehindACrossingVehicle) {
     const test::Recording disturbed = test::AddVehicle(recording, vehicle, random);
     const Trajectory trajectory = test::RunOdometry([&](int i) { return disturbed.images[i]; },
                                                     folder.num_frames, Camera(*folder.list.camera));
-    ExpectAccurate(trajectory, ReadKittiTruth("05"), 0.08, 0.98);
+    ExpectAccurate(trajectory, test::ReadKittiTruth("05"), 0.08, 0.98);
   }
 }
 
@@ -142,12 +139,13 @@ TEST(RealSequenceTest, Kitti05SharpTurnIsRefinedAccurately) {
       test::RunAndRefine(folder.Source(), folder.num_frames, Camera(*folder.list.camera));
   EXPECT_TRUE(refined.adjustment.is_usable());
   EXPECT_LT(refined.adjustment.final_cost, refined.adjustment.initial_cost);
-  ExpectAccurate(refined.trajectory, ReadKittiTruth("05"), 0.06, 0.98);
+  ExpectAccurate(refined.trajectory, test::ReadKittiTruth("05"), 0.06, 0.98);
 }
 
 TEST(RealSequenceTest, Kitti06StraightRoadIsTrackedAccurately) {
   CORVO_REQUIRE_DATA("kitti/sequences/06");
-  ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), ReadKittiTruth("06"), 0.06, 0.98);
+  ExpectAccurate(RunOnFolder("kitti/sequences/06", nullptr, 12), test::ReadKittiTruth("06"), 0.06,
+                 0.98);
 }
 
 TEST(RealSequenceTest, SevenScenesHandHeldCameraIsTrackedAccurately) {

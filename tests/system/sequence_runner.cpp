@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "tests/support/data.h"
+#include "vo/io/trajectory_io.h"
 #include "vo/odometry.h"
 
 namespace corvo::test {
@@ -31,6 +33,11 @@ Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera&
   ProcessAll(source, num_frames, odometry);
   odometry.Finish();
   return Refine(odometry, log);
+}
+
+PoseSequence ReadKittiTruth(const std::string& sequence) {
+  return WithTimes(ReadKittiPoses(DataPath("kitti/poses/" + sequence + ".txt")),
+                   ReadKittiTimes(DataPath("kitti/sequences/" + sequence + "/times.txt")));
 }
 
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth) {

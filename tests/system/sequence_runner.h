@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include <opencv2/core/mat.hpp>
 
@@ -24,6 +25,9 @@ Trajectory RunOdometry(const ImageSource& source, int num_frames, const Camera& 
 
 /// Like RunOdometry(), but refines the trajectory after the last frame.
 Refinement RunAndRefine(const ImageSource& source, int num_frames, const Camera& camera);
+
+/// Reads the ground truth of a KITTI sequence from the test data.
+PoseSequence ReadKittiTruth(const std::string& sequence);
 
 /// Evaluates the posed frames after a Sim3 alignment of the whole trajectory.
 Evaluation EvaluatePosed(const Trajectory& trajectory, const PoseSequence& truth);

@@ -26,4 +26,6 @@ inline constexpr int kNoId = -1;  ///< The absence of a keyframe, landmark or ke
 
 using TimeNs = std::int64_t;
 
+inline double ToSeconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
+
 }  // namespace corvo

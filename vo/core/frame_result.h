@@ -38,7 +38,7 @@ enum class Reason : std::uint8_t {
   kStaticOverlay,
   kRepeatedImage,  ///< Posed: the image repeats that of an earlier frame, whose pose it has.
   /// Posed, but the scale may have changed here: the images do not explain the change of the speed,
-  /// or about half of the matches with landmarks contradict the pose. See ScaleMonitor.
+  /// or much of what is matched contradicts the pose. See ScaleMonitor.
   kScaleUncertain,
 };
 

@@ -346,7 +346,7 @@ Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
   const std::vector<PosePair> pairs = Associate(estimate, truth, max_dt_ns);
   if (pairs.empty()) {
     throw Error(fmt::format("no pose of {} lies within {} s of one of the truth's {}",
-                            estimate.size(), 1e-9 * static_cast<double>(max_dt_ns), truth.size()));
+                            estimate.size(), ToSeconds(max_dt_ns), truth.size()));
   }
   Evaluation evaluation;
   evaluation.options = options;

@@ -89,9 +89,10 @@ void UpdateRays(const Camera& camera, Frame& frame) {
   }
 }
 
-int CountObservedLandmarks(const Frame& frame) {
-  return static_cast<int>(frame.landmarks.size() -
-                          std::count(frame.landmarks.begin(), frame.landmarks.end(), kNoId));
+int CountObservedLandmarks(const Frame& frame) { return CountLandmarks(frame.landmarks); }
+
+int CountLandmarks(const std::vector<LandmarkId>& landmarks) {
+  return static_cast<int>(landmarks.size() - std::count(landmarks.begin(), landmarks.end(), kNoId));
 }
 
 std::size_t NumBytes(const Frame& frame) {

@@ -62,6 +62,9 @@ void UpdateRays(const Camera& camera, Frame& frame);
 /// Returns the number of keypoints that observe a landmark.
 int CountObservedLandmarks(const Frame& frame);
 
+/// Returns the number of entries other than kNoId.
+int CountLandmarks(const std::vector<LandmarkId>& landmarks);
+
 /// Returns the memory held by a frame, bytes.
 std::size_t NumBytes(const Frame& frame);
 

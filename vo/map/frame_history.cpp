@@ -56,11 +56,9 @@ void FrameHistory::Add(const Frame& frame) {
   outcome.index = frame.index;
   outcome.time_ns = frame.time_ns;
   outcome.num_features = frame.num_keypoints();
-  for (const orb::Keypoint& keypoint : frame.features.keypoints) {
-    const bool is_first = outcome.finest_octave == kNoId;
-    outcome.finest_octave =
-        is_first ? keypoint.octave : std::min(outcome.finest_octave, keypoint.octave);
-  }
+  const auto& keypoints = frame.features.keypoints;
+  const auto finest = std::ranges::min_element(keypoints, {}, &orb::Keypoint::octave);
+  if (finest != keypoints.end()) outcome.finest_octave = finest->octave;
 }
 
 int FrameHistory::AddRepeat(TimeNs time_ns) {

@@ -346,4 +346,14 @@ int CountExistingLandmarks(const Map& map, const Frame& frame) {
   return count;
 }
 
+std::vector<double> DepthsOfLandmarks(const Map& map, const Frame& frame) {
+  const SE3 camera_from_world = frame.world_from_camera.Inverse();
+  std::vector<double> depths;
+  for (const LandmarkId id : frame.landmarks) {
+    const Landmark* landmark = map.FindLandmark(id);
+    if (landmark != nullptr) depths.push_back((camera_from_world * landmark->in_world).z());
+  }
+  return depths;
+}
+
 }  // namespace corvo

@@ -79,11 +79,6 @@ struct Covisible {
 /// Returns the first keyframes of the list, at most `max_count`.
 std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, int max_count);
 
-class Map;
-
-/// Returns the number of keypoints of a frame that observe a landmark which still exists.
-int CountExistingLandmarks(const Map& map, const Frame& frame);
-
 /// The owner of keyframes and landmarks. Links between them are ids, kept consistent in both
 /// directions: keypoint k of keyframe f names landmark l if and only if the track of l contains (f,
 /// k).
@@ -217,5 +212,11 @@ class Map {
   std::deque<KeyframePose> keyframe_poses_;  // Indexed by KeyframeId.
   int num_landmark_ids_ = 0;
 };
+
+/// Returns the number of keypoints of a frame that observe a landmark which still exists.
+int CountExistingLandmarks(const Map& map, const Frame& frame);
+
+/// Returns the depths of the landmarks that a frame observes, in the order of its keypoints.
+std::vector<double> DepthsOfLandmarks(const Map& map, const Frame& frame);
 
 }  // namespace corvo

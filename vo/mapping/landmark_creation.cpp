@@ -42,16 +42,6 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
   return in_world;
 }
 
-/// Returns the depths of the landmarks that a frame observes.
-std::vector<double> Depths(const Map& map, const Frame& frame) {
-  const SE3 camera_from_world = frame.world_from_camera.Inverse();
-  std::vector<double> depths;
-  for (const LandmarkId id : frame.landmarks) {
-    if (id != kNoId) depths.push_back((camera_from_world * map.FindLandmark(id)->in_world).z());
-  }
-  return depths;
-}
-
 /// Returns the depth below which no new landmark is expected.
 double LeastDepth(std::vector<double> depths, const LandmarkOptions& options) {
   if (depths.empty()) return 0;
@@ -73,7 +63,7 @@ std::vector<KeyframeId> FindNeighbors(const Map& map, KeyframeId keyframe,
     if (static_cast<int>(by_distance.size()) == options.num_neighbors) break;
     const Frame& other = map.keyframe(covisible.keyframe).frame;
     const double baseline = (other.world_from_camera.translation() - center).norm();
-    if (baseline < options.min_baseline_share * Median(Depths(map, other))) continue;
+    if (baseline < options.min_baseline_share * Median(DepthsOfLandmarks(map, other))) continue;
     by_distance.emplace_back(-baseline, covisible.keyframe);
   }
   std::sort(by_distance.begin(), by_distance.end());
@@ -104,7 +94,7 @@ int CreateLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max
                     Map& map) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
   const EpipolarMatchingOptions matching{
-      LeastDepth(Depths(map, map.keyframe(keyframe).frame), options), max_distance,
+      LeastDepth(DepthsOfLandmarks(map, map.keyframe(keyframe).frame), options), max_distance,
       options.max_ratio, options.octave_tolerance, options.parallel_sigmas};
   int num_created = 0;
   for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options)) {

@@ -16,19 +16,19 @@ struct PartFocal {
   double sigma = 0;
 };
 
+/// Returns the prior of a given camera, but with a focal length that is nearly unknown.
 CameraPrior WidePrior(const CameraParameters& camera, const CalibrationCheckOptions& options) {
-  CameraPrior prior{camera, {{"focal", options.focal_sigma}}};
-  if (camera.model != CameraModel::kPinhole) return prior;
-  prior.free.push_back({"k1", options.k1_sigma});
-  prior.free.push_back({"k2", options.k2_sigma});
+  CalibrationOptions given;
+  given.focal_sigma = options.focal_sigma;
+  CameraPrior prior = MakePrior(camera, given);
+  if (prior.free.empty()) prior.free.push_back({"focal", options.focal_sigma});
   return prior;
 }
 
 std::vector<PartFocal> EstimateParts(const Map& map, const CalibrationCheckOptions& options) {
   const CameraPrior prior = WidePrior(map.camera().parameters(), options);
   std::vector<PartFocal> parts;
-  for (const KeyframeGroup& group :
-       SplitKeyframes(map, options.num_parts, {.min_keyframes = options.min_keyframes})) {
+  for (const KeyframeGroup& group : SplitKeyframes(map, options.num_parts, options.min_keyframes)) {
     const AdjustmentSummary adjusted = AdjustMapCamera(map, {group}, prior);
     if (!adjusted.is_usable()) continue;
     const CameraEstimate& estimate = adjusted.estimate;

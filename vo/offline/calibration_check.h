@@ -15,8 +15,6 @@ struct CalibrationCheckOptions {
   double min_sigmas = 3;          ///< and from this number of its standard deviations.
   double max_disagreement = 0.5;  ///< Of a part with the median, as a share of the median.
   double min_median = 0.05;       ///< A smaller median difference is not implausible.
-  double k1_sigma = 0.03;  ///< Prior of a distortion that is given, as in CalibrationOptions.
-  double k2_sigma = 0.02;  ///< Prior of a distortion that is given, as in CalibrationOptions.
 };
 
 /// The focal lengths that fit disjoint parts of a sequence best.
@@ -27,7 +25,8 @@ struct CalibrationCheck {
   bool is_implausible = false;
 };
 
-/// Estimates the focal length from consecutive parts of a map's active keyframes, each alone. The
+/// Estimates the focal length from consecutive parts of a map's active keyframes, each alone, with
+/// the prior of MakePrior() for all other parameters. The
 /// calibration is implausible if at least half of the parts contradict it and agree with the median
 /// of all. Wrong matches on a repetitive texture contradict a correct calibration, too, but
 /// differently in each part.

@@ -7,8 +7,7 @@
 
 namespace corvo {
 
-std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups,
-                                          const MapCameraOptions& options) {
+std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups, int min_keyframes) {
   std::map<int, KeyframeGroup> segments;
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
   for (const KeyframeId id : active) segments[map.SegmentOf(id)].push_back(id);
@@ -16,7 +15,7 @@ std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups,
   for (const auto& [segment, keyframes] : segments) {
     const auto size = static_cast<std::ptrdiff_t>(keyframes.size());
     const double share = static_cast<double>(size) / static_cast<double>(active.size());
-    const std::ptrdiff_t most = std::max<std::ptrdiff_t>(1, size / options.min_keyframes);
+    const std::ptrdiff_t most = std::max<std::ptrdiff_t>(1, size / min_keyframes);
     const std::ptrdiff_t count =
         std::clamp<std::ptrdiff_t>(std::lround(share * num_groups), 1, most);
     for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -25,26 +24,22 @@ std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups,
     }
   }
   std::erase_if(groups, [&](const KeyframeGroup& group) {
-    return static_cast<int>(group.size()) < options.min_keyframes;
+    return static_cast<int>(group.size()) < min_keyframes;
   });
   return groups;
 }
 
 AdjustmentSummary AdjustMapCamera(const Map& map, const std::vector<KeyframeGroup>& groups,
-                                  const CameraPrior& prior, const MapCameraOptions& options) {
+                                  const CameraPrior& prior) {
   std::vector<Bundle> bundles;
   int num_keyframes = 0;
   for (const KeyframeGroup& group : groups) {
     bundles.push_back(CopyBundle(map, {group, {}, map.FindObserved(group)}));
     num_keyframes += static_cast<int>(group.size());
   }
-  AdjustmentOptions adjustment;
-  adjustment.num_rounds = options.num_rounds;
-  adjustment.max_iterations = options.max_iterations;
-  adjustment.max_initial_error_sigmas = options.max_error_sigmas;
-  adjustment.information_factor = options.information_factor;
-  adjustment.points_per_view =
-      std::clamp(options.max_points / std::max(1, num_keyframes), 1, options.points_per_keyframe);
+  AdjustmentOptions adjustment = CalibrationAdjustment(CalibrationOptions(), num_keyframes);
+  adjustment.num_rounds = 2;
+  adjustment.max_iterations = 20;
   return BundleAdjuster(adjustment).Adjust(prior, map.camera().parameters(), bundles);
 }
 

@@ -72,7 +72,7 @@ std::optional<MatchResiduals> MeasureResiduals(const Map& map,
   std::vector<Residual> all;
   MatchResiduals measured;
   measured.least_part_px = std::numeric_limits<double>::infinity();
-  for (const KeyframeGroup& part : SplitKeyframes(map, options.num_parts, {.min_keyframes = 1})) {
+  for (const KeyframeGroup& part : SplitKeyframes(map, options.num_parts, 1)) {
     std::vector<Residual> residuals;
     for (const KeyframeId id : part) {
       const std::vector<Residual> own = ResidualsOf(map, map.keyframe(id), options);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -154,13 +153,10 @@ struct Pass {
 
 Pass MakePass(const Odometry& odometry) {
   Pass pass{odometry.camera().parameters(), 0, 0, odometry.prior_rejected()};
-  std::set<int> segments;
-  for (const FrameResult& frame : odometry.GetTrajectory().frames) {
-    if (!frame.world_from_camera) continue;
-    ++pass.num_posed;
-    segments.insert(frame.segment);
+  for (const Segment& segment : odometry.GetTrajectory().Segments()) {
+    pass.num_posed += segment.num_poses;
+    ++pass.num_segments;
   }
-  pass.num_segments = static_cast<int>(segments.size());
   return pass;
 }
 
@@ -215,7 +211,8 @@ class CameraFinder {
   /// Returns the camera that fits a map best, as the prior of a run: with as many free parameters
   /// as leave the focal length determined, or else an ideal lens.
   CameraPrior Adjust(const Map& map) const {
-    const std::vector<KeyframeGroup> groups = SplitKeyframes(map, 1);
+    const std::vector<KeyframeGroup> groups =
+        SplitKeyframes(map, 1, options_.odometry.calibration.min_keyframes);
     if (groups.empty()) return {map.camera().parameters(), {}};
     const CameraPrior& searched = start_.prior;
     for (const auto& free : {searched.free, WithoutCenter(searched.free)}) {

@@ -36,12 +36,6 @@ std::vector<LandmarkId> SelectEstablished(const Map& map, std::vector<LandmarkId
   return landmarks;
 }
 
-int Count(const std::vector<LandmarkId>& landmarks) {
-  int count = 0;
-  for (const LandmarkId id : landmarks) count += id != kNoId;
-  return count;
-}
-
 int CountCommon(const std::vector<LandmarkId>& a, const std::vector<LandmarkId>& b) {
   int count = 0;
   for (std::size_t k = 0; k < a.size(); ++k) count += a[k] != kNoId && a[k] == b[k];
@@ -54,9 +48,9 @@ LandmarkPose FindRigidConsensus(const Map& map, const Frame& frame,
                                 const PoseOptimizerOptions& options) {
   const SE3& initial = frame.world_from_camera;
   LandmarkPose of_all = OptimizeLandmarkPose(map, frame, frame.landmarks, initial, options);
-  if (!HasConflict(of_all.num_inliers, Count(frame.landmarks))) return of_all;
+  if (!HasConflict(of_all.num_inliers, CountObservedLandmarks(frame))) return of_all;
   const std::vector<LandmarkId> established = SelectEstablished(map, frame.landmarks);
-  const int num_established = Count(established);
+  const int num_established = CountLandmarks(established);
   if (num_established < kMinEstablished) return of_all;
   const LandmarkPose past = OptimizeLandmarkPose(map, frame, established, initial, options);
   const bool is_pose =
@@ -68,7 +62,7 @@ LandmarkPose FindRigidConsensus(const Map& map, const Frame& frame,
 
 std::vector<int> FindContradictions(const Frame& frame, const LandmarkPose& consensus) {
   std::vector<int> contradictions;
-  if (!HasConflict(consensus.num_inliers, Count(frame.landmarks))) return contradictions;
+  if (!HasConflict(consensus.num_inliers, CountObservedLandmarks(frame))) return contradictions;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     const bool is_outlier = frame.landmarks[k] != kNoId && consensus.landmarks[k] == kNoId;
     if (is_outlier) contradictions.push_back(k);

@@ -7,14 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "vo/math/factor.h"
 #include "vo/math/median.h"
 #include "vo/tracking/frame_matching.h"
 
 namespace corvo {
 namespace {
 
-/// Frames over which the share of inliers is taken, and below which it is contested. Recordings of
-/// static scenes with a right calibration stay above 0.55.
+/// Frames over which the median share of inliers is taken, and the share below which these are few.
+/// Recordings of static scenes with a right calibration stay above 0.55.
 constexpr int kNumShares = 5;
 constexpr double kMinInlierShare = 0.54;
 /// The share of contested keypoints from which on they are much of a frame. Recordings of static
@@ -37,8 +38,6 @@ constexpr int kMinCells = 8;
 /// camera.
 constexpr double kFlowQuantile = 0.8;
 
-bool DifferByFactor(double a, double b) { return std::abs(std::log(a / b)) > std::log(kMaxFactor); }
-
 template <typename Iterator>
 double MedianSpeed(Iterator begin, Iterator end) {
   std::vector<double> speeds;
@@ -50,18 +49,12 @@ double MedianSpeed(Iterator begin, Iterator end) {
 
 ScaleEvidence CollectScaleEvidence(const Map& map, const Frame& previous, const Frame& frame,
                                    const TrackingResult& tracking) {
-  const SE3 camera_from_world = frame.world_from_camera.Inverse();
-  std::vector<double> depths;
-  for (const LandmarkId id : frame.landmarks) {
-    const Landmark* landmark = map.FindLandmark(id);
-    if (landmark != nullptr) depths.push_back((camera_from_world * landmark->in_world).z());
-  }
-  const double duration_s = static_cast<double>(frame.time_ns - previous.time_ns) * 1e-9;
+  const double duration_s = ToSeconds(frame.time_ns - previous.time_ns);
   const double distance =
       (frame.world_from_camera.translation() - previous.world_from_camera.translation()).norm();
   const double inlier_share = static_cast<double>(tracking.num_inliers) / tracking.num_matches;
   return {inlier_share, tracking.contested_share, duration_s, distance / duration_s,
-          Median(std::move(depths))};
+          Median(DepthsOfLandmarks(map, frame))};
 }
 
 std::optional<double> MeasureParallaxFlow(const Frame& previous, const Frame& frame) {
@@ -91,15 +84,15 @@ bool ScaleMonitor::Add(const ScaleEvidence& evidence,
                        const std::function<std::optional<double>()>& measure_flow) {
   recent_.push_back(evidence);
   if (static_cast<int>(recent_.size()) > kNumNewest + kNumBefore) recent_.pop_front();
-  if (IsContested() || evidence.contested_share > kMaxContestedShare) return true;
+  if (HasFewInliers() || evidence.contested_share > kMaxContestedShare) return true;
   const std::optional<double> depth = DepthBeforeChange();
   if (!depth) return false;
   const std::optional<double> flow = measure_flow();
   const double expected_flow = evidence.speed * evidence.duration_s / *depth;
-  return !flow || DifferByFactor(*flow + kFlowNoise, expected_flow + kFlowNoise);
+  return !flow || !IsWithinFactor((*flow + kFlowNoise) / (expected_flow + kFlowNoise), kMaxFactor);
 }
 
-bool ScaleMonitor::IsContested() const {
+bool ScaleMonitor::HasFewInliers() const {
   if (static_cast<int>(recent_.size()) < kNumShares) return false;
   std::vector<double> shares;
   for (auto i = recent_.end() - kNumShares; i != recent_.end(); ++i) {
@@ -117,7 +110,9 @@ std::optional<double> ScaleMonitor::DepthBeforeChange() const {
   const double noise = kFlowNoise / recent_.back().duration_s;
   const double before = MedianSpeed(recent_.begin(), newest) / depth;
   const double now = MedianSpeed(newest, recent_.end()) / depth;
-  if (!(depth > 0) || !DifferByFactor(now + noise, before + noise)) return std::nullopt;
+  if (!(depth > 0) || IsWithinFactor((now + noise) / (before + noise), kMaxFactor)) {
+    return std::nullopt;
+  }
   return depth;
 }
 

@@ -38,7 +38,7 @@ std::optional<double> MeasureParallaxFlow(const Frame& previous, const Frame& fr
 ///   not: at the depth of the scene before the change, speed v causes a flow of v / depth.
 ///
 /// An object that covers about half of the image or more can hide the flow of the scene, and then
-/// leaves neither sign.
+/// leaves none of these signs.
 class ScaleMonitor {
  public:
   /// Takes the posed frames of one segment in order. Returns whether the scale of this one is
@@ -48,7 +48,8 @@ class ScaleMonitor {
            const std::function<std::optional<double>()>& measure_flow);
 
  private:
-  bool IsContested() const;
+  /// Returns whether the share of inliers was low in the newest frames.
+  bool HasFewInliers() const;
   /// Returns the median depth before a change of the speed, or std::nullopt if there is no change.
   std::optional<double> DepthBeforeChange() const;
 

@@ -2,19 +2,15 @@
 #include "vo/tracking/segment_joining.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "vo/map/landmark_alignment.h"
+#include "vo/math/factor.h"
 #include "vo/math/median.h"
 
 namespace corvo {
 namespace {
-
-bool IsWithinFactor(double ratio, double factor) {
-  return std::abs(std::log(ratio)) <= std::log(factor);
-}
 
 bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
   return std::any_of(landmark.track.begin(), landmark.track.end(),

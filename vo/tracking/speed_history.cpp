@@ -12,10 +12,6 @@
 namespace corvo {
 namespace {
 
-constexpr double kSecondsPerNs = 1e-9;
-
-double Seconds(TimeNs duration_ns) { return kSecondsPerNs * static_cast<double>(duration_ns); }
-
 /// Returns the spread of the logarithms around that of the median, as a standard deviation.
 double LogSpread(const std::vector<double>& speeds, double median) {
   constexpr double kNormalFromMedian = 1.4826;
@@ -30,10 +26,10 @@ double LogSpread(const std::vector<double>& speeds, double median) {
 void SpeedHistory::Add(const Frame& earlier, const Frame& later) {
   const Eigen::Vector3d vector =
       later.world_from_camera.translation() - earlier.world_from_camera.translation();
-  const double speed = vector.norm() / Seconds(later.time_ns - earlier.time_ns);
+  const double speed = vector.norm() / ToSeconds(later.time_ns - earlier.time_ns);
   if (!(speed > 0)) return;
   motions_.push_back({later.time_ns, vector, speed});
-  while (Seconds(later.time_ns - motions_.front().time_ns) >= options_.speed_window_s) {
+  while (ToSeconds(later.time_ns - motions_.front().time_ns) >= options_.speed_window_s) {
     motions_.pop_front();
   }
 }
@@ -62,7 +58,7 @@ std::optional<SpeedGuess> SpeedHistory::Predict(TimeNs time_ns) const {
   const double median = Median(speeds);
   double spread = LogSpread(speeds, median);
   if (are_few) spread = std::max(spread, options_.unknown_speed_spread);
-  const double gap_s = std::max(0.0, Seconds(time_ns - motions_.back().time_ns));
+  const double gap_s = std::max(0.0, ToSeconds(time_ns - motions_.back().time_ns));
   const double growth = options_.speed_growth;
   return SpeedGuess{median, std::sqrt(spread * spread * (1 + gap_s) + growth * growth * gap_s)};
 }
