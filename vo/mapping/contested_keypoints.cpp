@@ -2,7 +2,7 @@
 #include "vo/mapping/contested_keypoints.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace corvo {
 namespace {
@@ -13,38 +13,53 @@ constexpr int kNumNeighbors = 12;
 /// the matches are outliers at random, that has a probability of 5e-6.
 constexpr double kMinShare = 0.83;
 
-/// A keypoint that was matched with a landmark.
-struct Matched {
-  Eigen::Vector2d pixel;
-  bool is_contradiction;
+/// The matched keypoints of a frame.
+struct MatchedKeypoints {
+  std::vector<Eigen::Vector2d> contradictions;
+  std::vector<Eigen::Vector2d> others;
 };
 
-std::vector<Matched> CollectMatched(const std::vector<int>& contradictions, const Frame& frame) {
-  std::vector<Matched> matched;
-  for (const int k : contradictions) matched.push_back({frame.pixel(k), true});
+MatchedKeypoints CollectMatched(const std::vector<int>& contradictions, const Frame& frame) {
+  MatchedKeypoints matched;
+  for (const int k : contradictions) matched.contradictions.push_back(frame.pixel(k));
   for (int k = 0; k < frame.num_keypoints(); ++k) {
-    if (frame.landmarks[k] != kNoId) matched.push_back({frame.pixel(k), false});
+    if (frame.landmarks[k] != kNoId) matched.others.push_back(frame.pixel(k));
   }
   return matched;
 }
 
-bool IsContested(const Eigen::Vector2d& pixel, const std::vector<Matched>& matched) {
-  std::vector<std::pair<double, int>> by_distance;
-  for (const Matched& m : matched) {
-    by_distance.emplace_back((m.pixel - pixel).squaredNorm(), m.is_contradiction);
+/// Returns the squared distance of the n-th nearest point, with n from 1 to the number of points.
+double FindSquaredDistance(const Eigen::Vector2d& pixel, const std::vector<Eigen::Vector2d>& points,
+                           int n) {
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Eigen::Vector2d& point : points) distances.push_back((point - pixel).squaredNorm());
+  std::nth_element(distances.begin(), distances.begin() + n - 1, distances.end());
+  return distances[n - 1];
+}
+
+/// Whether enough of the nearest matched keypoints are contradictions: at most the rest of the
+/// others are nearer than the last contradiction that is needed.
+bool IsContested(const Eigen::Vector2d& pixel, const MatchedKeypoints& matched) {
+  const auto num_contradictions = static_cast<int>(matched.contradictions.size());
+  const int num_matched = num_contradictions + static_cast<int>(matched.others.size());
+  const int num_neighbors = std::min(kNumNeighbors, num_matched);
+  const int num_needed = static_cast<int>(std::ceil(kMinShare * num_neighbors));
+  if (num_contradictions < num_needed) return false;
+  const double last = FindSquaredDistance(pixel, matched.contradictions, num_needed);
+  int num_nearer = 0;
+  for (const Eigen::Vector2d& other : matched.others) {
+    num_nearer += (other - pixel).squaredNorm() <= last;
+    if (num_nearer > num_neighbors - num_needed) return false;
   }
-  const int count = std::min(kNumNeighbors, static_cast<int>(by_distance.size()));
-  std::partial_sort(by_distance.begin(), by_distance.begin() + count, by_distance.end());
-  int num_contradictions = 0;
-  for (int i = 0; i < count; ++i) num_contradictions += by_distance[i].second;
-  return num_contradictions >= kMinShare * count;
+  return true;
 }
 
 }  // namespace
 
 double RemoveContestedKeypoints(const std::vector<int>& contradictions, Frame& frame) {
   if (contradictions.empty()) return 0;
-  const std::vector<Matched> matched = CollectMatched(contradictions, frame);
+  const MatchedKeypoints matched = CollectMatched(contradictions, frame);
   std::vector<int> kept;
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     const bool is_kept = frame.landmarks[k] != kNoId || !IsContested(frame.pixel(k), matched);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include <opencv2/imgproc.hpp>
 
@@ -25,6 +26,27 @@ int CountCells(int size) {
   return std::max(1, static_cast<int>(std::lround(size / double{CellDisplacement::kCellSize})));
 }
 
+/// Sums over the rows of a row of cells, column by column: these loops the compiler vectorizes.
+class ColumnSums {
+ public:
+  explicit ColumnSums(int width) : sums_(width) {}
+
+  void Add(const std::int16_t* row) {
+    for (std::size_t x = 0; x < sums_.size(); ++x) sums_[x] += row[x];
+  }
+  void AddProduct(const std::int16_t* a, const std::int16_t* b) {
+    for (std::size_t x = 0; x < sums_.size(); ++x) sums_[x] += a[x] * b[x];
+  }
+  /// Returns the sum over the columns of a cell.
+  double Over(const cv::Rect& cell) const {
+    const auto first = sums_.begin() + cell.x;
+    return std::accumulate(first, first + cell.width, 0);
+  }
+
+ private:
+  std::vector<int> sums_;
+};
+
 }  // namespace
 
 ReducedImage::ReducedImage(const cv::Mat& image)
@@ -41,19 +63,28 @@ ReducedImage::ReducedImage(const cv::Mat& image)
 
 CellDisplacement::CellDisplacement(const ReducedImage& reference)
     : reference_(reference),
-      num_cells_(CountCells(reference.pixels.cols), CountCells(reference.pixels.rows)) {
-  const cv::Mat kernel_x = (cv::Mat_<float>(1, 3) << -1, 0, 1);
-  const cv::Mat kernel_y = (cv::Mat_<float>(3, 1) << -1, 0, 1);
-  cv::filter2D(reference_.pixels, gradient_x_, CV_16S, kernel_x);
-  cv::filter2D(reference_.pixels, gradient_y_, CV_16S, kernel_y);
-  for (int i = 0; i < num_cells_.area(); ++i) textures_.push_back(MeasureTexture(CellAt(i)));
+      gradient_x_(reference.pixels.size(), CV_16S),
+      gradient_y_(reference.pixels.size(), CV_16S),
+      num_cells_(CountCells(reference.pixels.cols), CountCells(reference.pixels.rows)),
+      textures_(num_cells_.height) {}
+
+std::vector<CellMotion> CellDisplacement::Measure(const ReducedImage& image) {
+  std::vector<CellMotion> motion;
+  motion.reserve(num_cells_.area());
+  for (int row = 0; row < num_cells_.height; ++row) {
+    const std::vector<CellMotion> of_row = MeasureRow(row, image);
+    motion.insert(motion.end(), of_row.begin(), of_row.end());
+  }
+  return motion;
 }
 
-std::vector<CellMotion> CellDisplacement::Measure(const ReducedImage& image) const {
+std::vector<CellMotion> CellDisplacement::MeasureRow(int row, const ReducedImage& image) {
+  const std::vector<Texture>& textures = TexturesOf(row);
+  const std::vector<Change> changes = SumChanges(row, image);
   std::vector<CellMotion> motion;
-  motion.reserve(textures_.size());
-  for (int i = 0; i < num_cells_.area(); ++i) {
-    motion.push_back(MeasureCell(CellAt(i), textures_[i], image));
+  motion.reserve(textures.size());
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    motion.push_back(MeasureCell(textures[i], changes[i]));
   }
   return motion;
 }
@@ -64,53 +95,91 @@ cv::Rect CellDisplacement::CellAt(int index) const {
   return cell & cv::Rect(cv::Point(), reference_.pixels.size());
 }
 
-CellDisplacement::Texture CellDisplacement::MeasureTexture(const cv::Rect& cell) const {
-  int x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  for (int row = cell.y; row < cell.y + cell.height; ++row) {
-    const auto* gx = gradient_x_.ptr<std::int16_t>(row);
-    const auto* gy = gradient_y_.ptr<std::int16_t>(row);
-    for (int column = cell.x; column < cell.x + cell.width; ++column) {
-      x += gx[column];
-      y += gy[column];
-      xx += gx[column] * gx[column];
-      xy += gx[column] * gy[column];
-      yy += gy[column] * gy[column];
-    }
+const std::vector<CellDisplacement::Texture>& CellDisplacement::TexturesOf(int row) {
+  if (textures_[row].empty()) {
+    const cv::Rect first = CellAt(row * num_cells_.width);
+    ComputeGradients({first.y, first.y + first.height});
+    textures_[row] = MeasureTextures(row);
   }
-  const double n = cell.area();
-  Texture texture{(xx - x * x / n) / 4, (xy - x * y / n) / 4, (yy - y * y / n) / 4, x / n / 2,
-                  y / n / 2};
-  const double least = kMinTexture * n;
-  // Both eigenvalues of the matrix of sums are at least `least`.
-  texture.is_sufficient = texture.xx + texture.yy >= 2 * least &&
-                          (texture.xx - least) * (texture.yy - least) >= texture.xy * texture.xy;
-  return texture;
+  return textures_[row];
 }
 
-CellDisplacement::Change CellDisplacement::SumChange(const cv::Rect& cell,
-                                                     const ReducedImage& image) const {
-  int e = 0, ee = 0, xe = 0, ye = 0;
-  for (int row = cell.y; row < cell.y + cell.height; ++row) {
-    const auto* gx = gradient_x_.ptr<std::int16_t>(row);
-    const auto* gy = gradient_y_.ptr<std::int16_t>(row);
-    const auto* before = reference_.pixels.ptr<std::uint8_t>(row);
-    const auto* after = image.pixels.ptr<std::uint8_t>(row);
-    for (int column = cell.x; column < cell.x + cell.width; ++column) {
-      const int change = after[column] - before[column];
-      e += change;
-      ee += change * change;
-      xe += gx[column] * change;
-      ye += gy[column] * change;
+void CellDisplacement::ComputeGradients(const cv::Range& rows) {
+  const int width = reference_.pixels.cols, last_row = reference_.pixels.rows - 1;
+  for (int row = rows.start; row < rows.end; ++row) {
+    const auto* pixels = reference_.pixels.ptr<std::uint8_t>(row);
+    // The image continues as if mirrored at its border: the derivative across it is zero.
+    const auto* above = reference_.pixels.ptr<std::uint8_t>(row == 0 ? last_row > 0 : row - 1);
+    const auto* below =
+        reference_.pixels.ptr<std::uint8_t>(row == last_row ? std::max(0, row - 1) : row + 1);
+    auto* gx = gradient_x_.ptr<std::int16_t>(row);
+    auto* gy = gradient_y_.ptr<std::int16_t>(row);
+    gx[0] = gx[width - 1] = 0;
+    for (int x = 1; x < width - 1; ++x) {
+      gx[x] = static_cast<std::int16_t>(pixels[x + 1] - pixels[x - 1]);
     }
+    for (int x = 0; x < width; ++x) gy[x] = static_cast<std::int16_t>(below[x] - above[x]);
   }
-  return {static_cast<double>(e), static_cast<double>(ee), xe / 2.0, ye / 2.0};
 }
 
-CellMotion CellDisplacement::MeasureCell(const cv::Rect& cell, const Texture& texture,
-                                         const ReducedImage& image) const {
+std::vector<CellDisplacement::Texture> CellDisplacement::MeasureTextures(int row) const {
+  const int width = reference_.pixels.cols;
+  ColumnSums x(width), y(width), xx(width), xy(width), yy(width);
+  const cv::Rect first = CellAt(row * num_cells_.width);
+  for (int line = first.y; line < first.y + first.height; ++line) {
+    const auto* gx = gradient_x_.ptr<std::int16_t>(line);
+    const auto* gy = gradient_y_.ptr<std::int16_t>(line);
+    x.Add(gx);
+    y.Add(gy);
+    xx.AddProduct(gx, gx);
+    xy.AddProduct(gx, gy);
+    yy.AddProduct(gy, gy);
+  }
+  std::vector<Texture> textures;
+  for (int column = 0; column < num_cells_.width; ++column) {
+    const cv::Rect cell = CellAt(row * num_cells_.width + column);
+    const double n = cell.area(), sx = x.Over(cell), sy = y.Over(cell);
+    Texture texture{(xx.Over(cell) - sx * sx / n) / 4,
+                    (xy.Over(cell) - sx * sy / n) / 4,
+                    (yy.Over(cell) - sy * sy / n) / 4,
+                    sx / n / 2,
+                    sy / n / 2,
+                    n};
+    const double least = kMinTexture * n;
+    // Both eigenvalues of the matrix of sums are at least `least`.
+    texture.is_sufficient = texture.xx + texture.yy >= 2 * least &&
+                            (texture.xx - least) * (texture.yy - least) >= texture.xy * texture.xy;
+    textures.push_back(texture);
+  }
+  return textures;
+}
+
+std::vector<CellDisplacement::Change> CellDisplacement::SumChanges(
+    int row, const ReducedImage& image) const {
+  const int width = reference_.pixels.cols;
+  ColumnSums e(width), ee(width), xe(width), ye(width);
+  std::vector<std::int16_t> change(width);
+  const cv::Rect first = CellAt(row * num_cells_.width);
+  for (int line = first.y; line < first.y + first.height; ++line) {
+    const auto* before = reference_.pixels.ptr<std::uint8_t>(line);
+    const auto* after = image.pixels.ptr<std::uint8_t>(line);
+    for (int x = 0; x < width; ++x) change[x] = static_cast<std::int16_t>(after[x] - before[x]);
+    e.Add(change.data());
+    ee.AddProduct(change.data(), change.data());
+    xe.AddProduct(gradient_x_.ptr<std::int16_t>(line), change.data());
+    ye.AddProduct(gradient_y_.ptr<std::int16_t>(line), change.data());
+  }
+  std::vector<Change> changes;
+  for (int column = 0; column < num_cells_.width; ++column) {
+    const cv::Rect cell = CellAt(row * num_cells_.width + column);
+    changes.push_back({e.Over(cell), ee.Over(cell), xe.Over(cell) / 2, ye.Over(cell) / 2});
+  }
+  return changes;
+}
+
+CellMotion CellDisplacement::MeasureCell(const Texture& texture, const Change& change) const {
   if (!texture.is_sufficient) return {};
-  const double n = cell.area();
-  const Change change = SumChange(cell, image);
+  const double n = texture.area;
   const double determinant = texture.xx * texture.yy - texture.xy * texture.xy;
   const double xe = change.xe - texture.mean_x * change.e;
   const double ye = change.ye - texture.mean_y * change.e;
@@ -122,8 +191,8 @@ CellMotion CellDisplacement::MeasureCell(const cv::Rect& cell, const Texture& te
   const double max_residual =
       std::max(kMaxNoise * kMaxNoise, kMaxResidual * kMaxResidual * gradient);
   const bool is_changed = residual > max_residual || std::hypot(dx, dy) > 1;
-  return {true, is_changed, static_cast<float>(dx * image.factor),
-          static_cast<float>(dy * image.factor)};
+  const int factor = reference_.factor;
+  return {true, is_changed, static_cast<float>(dx * factor), static_cast<float>(dy * factor)};
 }
 
 cv::Point2f CellDisplacement::CenterOf(int cell) const {

@@ -39,7 +39,9 @@ class CellDisplacement {
   explicit CellDisplacement(const ReducedImage& reference);
 
   /// One entry per cell in row-major order. `image` has the size of the reference.
-  std::vector<CellMotion> Measure(const ReducedImage& image) const;
+  std::vector<CellMotion> Measure(const ReducedImage& image);
+  /// The entries of one row of cells.
+  std::vector<CellMotion> MeasureRow(int row, const ReducedImage& image);
 
   const ReducedImage& reference() const { return reference_; }
   cv::Size num_cells() const { return num_cells_; }
@@ -50,6 +52,7 @@ class CellDisplacement {
   struct Texture {
     double xx = 0, xy = 0, yy = 0;  ///< Sums over the cell of products of the centered gradients.
     double mean_x = 0, mean_y = 0;  ///< Means of the gradients.
+    double area = 0;                ///< px
     bool is_sufficient = false;
   };
 
@@ -58,16 +61,19 @@ class CellDisplacement {
     double xe = 0, ye = 0;  ///< Sums of its products with the gradients.
   };
 
-  Texture MeasureTexture(const cv::Rect& cell) const;
-  Change SumChange(const cv::Rect& cell, const ReducedImage& image) const;
-  CellMotion MeasureCell(const cv::Rect& cell, const Texture& texture,
-                         const ReducedImage& image) const;
+  /// Computes the gradients and the textures of a row of cells unless they are known already: an
+  /// image that differs from the reference is often recognized by a few rows.
+  const std::vector<Texture>& TexturesOf(int row);
+  void ComputeGradients(const cv::Range& rows);
+  std::vector<Texture> MeasureTextures(int row) const;
+  std::vector<Change> SumChanges(int row, const ReducedImage& image) const;
+  CellMotion MeasureCell(const Texture& texture, const Change& change) const;
   cv::Rect CellAt(int index) const;
 
   ReducedImage reference_;
   cv::Mat gradient_x_, gradient_y_;  // 16-bit; twice the derivative.
   cv::Size num_cells_;
-  std::vector<Texture> textures_;
+  std::vector<std::vector<Texture>> textures_;  // By row of cells; empty until needed.
 };
 
 }  // namespace corvo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "vo/tracking/chance_test.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace corvo {
@@ -13,11 +14,15 @@ constexpr double kMaxLogFalseAlarms = -9.2;  ///< ln(1e-4): a chance pose in ten
 /// Displacements as shares of the size of the image: far enough to miss the landmarks.
 constexpr double kDisplacements[][2] = {{0.07, 0}, {-0.07, 0}, {0, 0.09}, {0, -0.09}};
 
-/// Queries displaced in the image; those that leave it are dropped.
+/// The number of queries for each displacement: enough to know the share of chance matches.
+constexpr int kNumDisplaced = 100;
+
+/// An even selection of the queries, displaced in the image; those that leave it are dropped.
 GuidedQueries Displace(const GuidedQueries& queries, const Eigen::Vector2d& offset,
                        const Camera& camera) {
   GuidedQueries displaced;
-  for (int i = 0; i < queries.size(); ++i) {
+  const int step = std::max(1, queries.size() / kNumDisplaced);
+  for (int i = 0; i < queries.size(); i += step) {
     const Eigen::Vector2d pixel = queries.pixels[i] + offset;
     if (!camera.Contains(pixel)) continue;
     displaced.ids.push_back(queries.ids[i]);

@@ -29,6 +29,7 @@ struct Displacements {
     tangential.push_back((motion.dy * center.x - motion.dx * center.y) / radius);
   }
 
+  int size() const { return static_cast<int>(x.size()); }
   bool AreZero() const { return IsZero(x) && IsZero(y) && IsZero(radial) && IsZero(tangential); }
 
  private:
@@ -37,18 +38,24 @@ struct Displacements {
   }
 };
 
-bool IsRepeat(const CellDisplacement& reference, const ReducedImage& image) {
-  const std::vector<CellMotion> motion = reference.Measure(image);
-  int num_textured = 0;
+bool IsRepeat(CellDisplacement& reference, const ReducedImage& image) {
+  const cv::Size num_cells = reference.num_cells();
+  int num_textured = 0, cell = 0;
   Displacements still;
-  for (int i = 0; i < static_cast<int>(motion.size()); ++i) {
-    num_textured += motion[i].is_textured;
-    if (motion[i].IsStill(kMaxCellDisplacement)) still.Add(motion[i], reference.CenterOf(i));
+  for (int row = 0; row < num_cells.height; ++row) {
+    for (const CellMotion& motion : reference.MeasureRow(row, image)) {
+      num_textured += motion.is_textured;
+      if (motion.IsStill(kMaxCellDisplacement)) still.Add(motion, reference.CenterOf(cell));
+      ++cell;
+    }
+    // Most images of a moving camera differ in so many cells that the others need no measuring.
+    const int num_moved = num_textured - still.size();
+    if (num_moved > (1 - kMinStillShare) * num_cells.area()) return false;
   }
   if (num_textured < kMinCells) {
     return cv::norm(reference.reference().pixels, image.pixels, cv::NORM_INF) == 0;
   }
-  return static_cast<double>(still.x.size()) >= kMinStillShare * num_textured && still.AreZero();
+  return still.size() >= kMinStillShare * num_textured && still.AreZero();
 }
 
 }  // namespace
