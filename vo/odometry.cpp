@@ -156,8 +156,8 @@ TrackingResult Odometry::Track(Frame& frame) {
   TrackingResult tracking;
   tracking.reason = Reason::kReferenceFrame;
   if (map_.empty()) return tracking;
-  const SE3 predicted = motion_->model().Predict(previous_, frame.time_ns);
-  tracking = tracker_->Track(map_, previous_, predicted, frame);
+  tracking = tracker_->Track(map_, previous_,
+                             motion_->model().PredictAlternatives(previous_, frame.time_ns), frame);
   const bool is_sure =
       state_ == State::kTracking || tracking.num_inliers >= options_.relocalizer.min_inliers;
   if (tracking.is_tracked() && is_sure) return tracking;

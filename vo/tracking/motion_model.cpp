@@ -14,4 +14,14 @@ SE3 MotionModel::Predict(const Frame& from, TimeNs time_ns) const {
   return from.world_from_camera * earlier_from_later_.Power(steps);
 }
 
+std::vector<SE3> MotionModel::PredictAlternatives(const Frame& from, TimeNs time_ns) const {
+  std::vector<SE3> poses = {Predict(from, time_ns)};
+  if (step_ns_ == 0) return poses;
+  if (time_ns - from.time_ns != step_ns_) {
+    poses.push_back(from.world_from_camera * earlier_from_later_);
+  }
+  poses.push_back(from.world_from_camera);
+  return poses;
+}
+
 }  // namespace corvo

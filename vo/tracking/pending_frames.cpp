@@ -10,8 +10,8 @@ std::vector<LocatedFrame> PendingFrameLocator::Locate(std::vector<Frame>& frames
   for (int i = located + step; i >= 0 && i < num_frames; i += step) {
     Frame& frame = frames[i];
     if (history_.IsPosed(frame.index)) break;
-    const SE3 predicted = motion_.Predict(frames[located], frame.time_ns);
-    const TrackingResult tracking = tracker_.Track(map_, frames[located], predicted, frame);
+    const TrackingResult tracking = tracker_.Track(
+        map_, frames[located], motion_.PredictAlternatives(frames[located], frame.time_ns), frame);
     if (!tracking.is_tracked()) continue;
     all.push_back({i, {tracking.num_matches, tracking.num_inliers}});
     located = i;

@@ -76,7 +76,7 @@ TrackingResult Relocalizer::RelocalizeAmong(std::vector<KeyframeId> keyframes, M
   for (const KeyframeId id : SelectCandidates(map, keyframes, similar, options_.max_candidates)) {
     map.UpdateRays(id);
     const Frame& keyframe = map.keyframe(id).frame;
-    TrackingResult tracking = tracker_.Track(map, keyframe, keyframe.world_from_camera, frame);
+    TrackingResult tracking = tracker_.Track(map, keyframe, {keyframe.world_from_camera}, frame);
     if (tracking.is_tracked() && tracking.num_inliers >= options_.min_inliers) return tracking;
     if (tracking.num_inliers > best.num_inliers) {
       best = std::move(tracking);

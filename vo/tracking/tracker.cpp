@@ -102,10 +102,10 @@ Tracker::Tracker(const OdometryOptions& options)
       matching_(options.matching),
       pose_optimizer_(options.pose_optimizer) {}
 
-TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& predicted,
-                              Frame& frame) const {
+TrackingResult Tracker::Track(const Map& map, const Frame& previous,
+                              const std::vector<SE3>& predictions, Frame& frame) const {
   TrackingResult result;
-  result.num_inliers = TrackPrevious(map, previous, predicted, frame);
+  result.num_inliers = TrackPrevious(map, previous, predictions, frame);
   result.num_matches = CountObservedLandmarks(frame);
   if (result.num_inliers < options_.min_first_inliers) {
     result.reason = Reason::kTooFewMatches;
@@ -125,9 +125,9 @@ TrackingResult Tracker::Track(const Map& map, const Frame& previous, const SE3& 
   return result;
 }
 
-int Tracker::TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted,
-                           Frame& frame) const {
-  LandmarkPose near = LocateNearPrediction(map, previous, predicted, frame);
+int Tracker::TrackPrevious(const Map& map, const Frame& previous,
+                           const std::vector<SE3>& predictions, Frame& frame) const {
+  LandmarkPose near = LocateNearPredictions(map, previous, predictions, frame);
   if (near.num_inliers >= options_.min_first_inliers) return SetPose(std::move(near), frame);
   const std::optional<SE3> located = LocateWithoutPrediction(map, previous, frame);
   if (!located) return 0;
@@ -135,18 +135,21 @@ int Tracker::TrackPrevious(const Map& map, const Frame& previous, const SE3& pre
                  frame);
 }
 
-LandmarkPose Tracker::LocateNearPrediction(const Map& map, const Frame& previous,
-                                           const SE3& predicted, Frame& frame) const {
+LandmarkPose Tracker::LocateNearPredictions(const Map& map, const Frame& previous,
+                                            const std::vector<SE3>& predictions,
+                                            Frame& frame) const {
   LandmarkPose best;
   for (const double widening : {1.0, options_.widening}) {
     const double radius_px = widening * options_.search_radius_px;
-    const int num_matches = MatchPrevious(map, previous, predicted, radius_px, frame);
-    if (num_matches < options_.min_matches) continue;
-    LandmarkPose pose =
-        OptimizeLandmarkPose(map, frame, frame.landmarks, predicted, pose_optimizer_);
-    const bool is_consistent = pose.num_inliers >= options_.min_inlier_share * num_matches;
-    if (pose.num_inliers > best.num_inliers) best = std::move(pose);
-    if (is_consistent) break;
+    for (const SE3& predicted : predictions) {
+      const int num_matches = MatchPrevious(map, previous, predicted, radius_px, frame);
+      if (num_matches < options_.min_matches) continue;
+      LandmarkPose pose =
+          OptimizeLandmarkPose(map, frame, frame.landmarks, predicted, pose_optimizer_);
+      const bool is_consistent = pose.num_inliers >= options_.min_inlier_share * num_matches;
+      if (pose.num_inliers > best.num_inliers) best = std::move(pose);
+      if (is_consistent) return best;
+    }
   }
   return best;
 }

@@ -25,29 +25,29 @@ struct TrackingResult {
   bool is_tracked() const { return reason == Reason::kNone; }
 };
 
-/// Locates frames in a map, given a previous frame and a prediction of the pose.
+/// Locates frames in a map, given a previous frame and predictions of the pose.
 class Tracker {
  public:
   explicit Tracker(const OdometryOptions& options);
 
   /// Locates `frame`. The landmarks of the previous frame are matched near their projections from
-  /// the predicted world_from_camera (in wider windows if few were found or most of them are
-  /// outliers; finally without a prediction, with a robust perspective-n-point pose), which yields
-  /// a first pose. The landmarks of the local keyframes are then projected and matched, keypoints
-  /// are aligned with the patches of their landmarks, and the pose is optimized again. On success
-  /// the frame has its pose and landmarks.
-  TrackingResult Track(const Map& map, const Frame& previous, const SE3& predicted,
+  /// the first of the predicted world_from_camera (near the others and then in wider windows if few
+  /// were found or most of them are outliers; finally without a prediction, with a robust
+  /// perspective-n-point pose), which yields a first pose. The landmarks of the local keyframes are
+  /// then projected and matched, keypoints are aligned with the patches of their landmarks, and the
+  /// pose is optimized again. On success the frame has its pose and landmarks.
+  TrackingResult Track(const Map& map, const Frame& previous, const std::vector<SE3>& predictions,
                        Frame& frame) const;
 
  private:
   /// Sets the frame's first pose from the landmarks of the previous frame. Returns the number of
   /// inliers.
-  int TrackPrevious(const Map& map, const Frame& previous, const SE3& predicted,
+  int TrackPrevious(const Map& map, const Frame& previous, const std::vector<SE3>& predictions,
                     Frame& frame) const;
-  /// Returns the better location of a search near the prediction and, if that has few matches or
-  /// mostly outliers, of a wider one: a wrong prediction finds keypoints that are merely similar.
-  LandmarkPose LocateNearPrediction(const Map& map, const Frame& previous, const SE3& predicted,
-                                    Frame& frame) const;
+  /// Returns the best location of searches near the predictions and, if these have few matches or
+  /// mostly outliers, of wider ones: a wrong prediction finds keypoints that are merely similar.
+  LandmarkPose LocateNearPredictions(const Map& map, const Frame& previous,
+                                     const std::vector<SE3>& predictions, Frame& frame) const;
   /// Matches the landmarks of the previous frame near the prediction. Returns the number of
   /// matches.
   int MatchPrevious(const Map& map, const Frame& previous, const SE3& predicted, double radius_px,

@@ -28,7 +28,7 @@ class TrackerTest : public ::testing::Test {
   }
 
   TrackingResult TrackNext(const SE3& predicted, Frame& frame) const {
-    return Tracker(OdometryOptions()).Track(map_, previous_, predicted, frame);
+    return Tracker(OdometryOptions()).Track(map_, previous_, {predicted}, frame);
   }
 
   /// Adds keypoints whose descriptors resemble landmarks of the previous frame, but less than those
@@ -96,6 +96,18 @@ TEST_F(TrackerTest, ToleratesABadPrediction) {
   EXPECT_THAT(view.frame.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
 }
 
+TEST_F(TrackerTest, FindsAFrameNearAnyOfThePredictions) {
+  const SE3 truth = Shifted(0.6);
+  const SE3 far = truth * SE3(SO3::Exp({0, 0.3, 0}), Eigen::Vector3d::Zero());  // 150 px off.
+  OdometryOptions options;
+  options.matching.max_distance = 0;  // Frames cannot be matched without a prediction.
+  const Tracker tracker(options);
+  test::SceneView view = View(truth);
+  EXPECT_FALSE(tracker.Track(map_, previous_, {far}, view.frame).is_tracked());
+  EXPECT_TRUE(tracker.Track(map_, previous_, {far, far, truth}, view.frame).is_tracked());
+  EXPECT_THAT(view.frame.world_from_camera, test::IsPoseNear(truth, 0.1, 0.02));
+}
+
 TEST_F(TrackerTest, IsNotMisledBySimilarKeypointsNearABadPrediction) {
   const SE3 predicted = Shifted(0.9);
   const SE3 truth = predicted * SE3(SO3::Exp({0, 0.04, 0}), Eigen::Vector3d::Zero());  // 20 px off.
@@ -125,7 +137,7 @@ TEST_F(TrackerTest, FollowsMergedLandmarks) {
   ASSERT_NE(gone, kNoId);
   map.MergeLandmark(gone, kept);
   const Tracker tracker{OdometryOptions()};
-  EXPECT_TRUE(tracker.Track(map, previous, Shifted(0.9), view.frame).is_tracked());
+  EXPECT_TRUE(tracker.Track(map, previous, {Shifted(0.9)}, view.frame).is_tracked());
   std::set<LandmarkId> seen;
   for (const LandmarkId id : view.frame.landmarks) {
     if (id == kNoId) continue;
