@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Measures the strength of the tests: changes one token of the library at a time and runs the tests.
+
+Sites are drawn by seed from the code of orb/ and vo/ that is compiled (.cpp files; comments, strings
+and preprocessor lines left out). A mutant is killed if a test fails, crashes or hangs; mutants that
+do not compile or whose object code equals the original are replaced by other draws. Results are
+appended to build/mutation/results.jsonl, so that an interrupted run goes on where it ended.
+
+usage: scripts/mutation_test.py [--count 200] [--seed 1] [--jobs 2]
+"""
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import queue
+import random
+import re
+import subprocess
+import threading
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WORK = ROOT / "build" / "mutation"
+# clang-format puts spaces around binary operators and none inside template arguments.
+OPERATORS = {
+    " < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ",
+    " + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " && ": " || ", " || ": " && ",
+    " += ": " -= ", " -= ": " += ", "++": "--", " ? ": " ? !", "return true": "return false",
+    "return false": "return true", "std::min(": "std::max(", "std::max(": "std::min(",
+    "break;": ";", "continue;": ";", "if (!": "if (", "if (": "if (!",
+}
+TOKEN = re.compile("|".join(re.escape(t) for t in sorted(OPERATORS, key=len, reverse=True)) +
+                   r"|(?<![\w.])\d+(?:\.\d+)?(?![\w.])")
+# Test executables in the order in which they are run, by the top-level folder of the mutant.
+TESTS = {"orb": ["orb/test_orb", "orb/test_kernels", "vo/test_vo"], "vo": ["vo/test_vo"]}
+TIMEOUT_S = 900
+
+
+def code_lines(text):
+    """Yields (index, line with strings and comments blanked) of lines that hold code."""
+    for index, line in enumerate(text.split("\n")):
+        stripped = line.strip()
+        if stripped.startswith(("#", "//", "template", "namespace", "static_assert")):
+            continue
+        line = re.sub(r'"(?:[^"\\]|\\.)*"', lambda m: '"' + "_" * (len(m[0]) - 2) + '"', line)
+        line = re.sub(r"//.*", "", line)
+        if line.strip():
+            yield index, line
+
+
+def sites_of(path):
+    text = (ROOT / path).read_text()
+    for index, line in code_lines(text):
+        for match in TOKEN.finditer(line):
+            token = match[0]
+            new = OPERATORS.get(token)
+            if new is None:
+                new = str(int(token) + 1) if token.isdigit() else str(float(token) * 2)
+            yield {"file": path, "line": index + 1, "column": match.start(), "old": token,
+                   "new": new}
+
+
+def all_sites():
+    files = sorted(str(p.relative_to(ROOT)) for d in ("orb", "vo")
+                   for p in (ROOT / d).rglob("*.cpp"))
+    return [site for path in files for site in sites_of(path)]
+
+
+class Worker:
+    """A copy of the sources with its own build folder."""
+
+    def __init__(self, number):
+        self.source = WORK / f"source{number}"
+        self.build = WORK / f"build{number}"
+        if not self.source.exists():
+            subprocess.run(["git", "clone", "--quiet", ROOT, self.source], check=True)
+        subprocess.run(["git", "pull", "--quiet"], cwd=self.source, check=True)
+        subprocess.run(["git", "checkout", "--quiet", "."], cwd=self.source, check=True)
+        subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja",
+                        "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
+                        "-DCORVO_BUILD_BENCHMARKS=OFF"], check=True, capture_output=True)
+        if self.compile().returncode != 0:
+            raise SystemExit("the unchanged sources do not compile")
+
+    def compile(self):
+        return subprocess.run(["cmake", "--build", self.build, "--target", "test_orb",
+                               "test_kernels", "test_vo", "--parallel", "1"], capture_output=True)
+
+    def object_digest(self, path):
+        objects = list(self.build.rglob(pathlib.Path(path).name + ".o"))
+        return [hashlib.sha1(o.read_bytes()).hexdigest() for o in sorted(objects)]
+
+    def run_tests(self, site):
+        """Returns whether a test notices; the tests of the changed file run first."""
+        top = site["file"].split("/")[0]
+        stem = pathlib.Path(site["file"]).stem
+        suite = "".join(word.capitalize() for word in stem.split("_"))
+        for name in TESTS[top]:
+            for test_filter in (f"*{suite}*", "*"):
+                command = ["timeout", str(TIMEOUT_S), self.build / "tests" / name,
+                           "--gtest_fail_fast", "--gtest_brief=1", f"--gtest_filter={test_filter}"]
+                environment = {k: v for k, v in os.environ.items()
+                               if k not in ("CORVO_DATA", "CI")}
+                done = subprocess.run(command, capture_output=True, env=environment)
+                if done.returncode != 0:
+                    return True
+        return False
+
+    def judge(self, site):
+        path = self.source / site["file"]
+        original = path.read_text()
+        before = self.object_digest(site["file"])
+        lines = original.split("\n")
+        line, column = lines[site["line"] - 1], site["column"]
+        lines[site["line"] - 1] = line[:column] + site["new"] + line[column + len(site["old"]):]
+        path.write_text("\n".join(lines))
+        try:
+            if self.compile().returncode != 0:
+                return "does not compile"
+            if self.object_digest(site["file"]) == before:
+                return "equivalent"
+            return "killed" if self.run_tests(site) else "survived"
+        finally:
+            path.write_text(original)
+            self.compile()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    WORK.mkdir(parents=True, exist_ok=True)
+    results_file = WORK / "results.jsonl"
+    results = []
+    if results_file.exists():
+        results = [json.loads(line) for line in results_file.read_text().splitlines()]
+    sites = all_sites()
+    random.Random(arguments.seed).shuffle(sites)
+    known = {json.dumps(r["site"], sort_keys=True) for r in results}
+    todo = queue.SimpleQueue()
+    for site in sites:
+        if json.dumps(site, sort_keys=True) not in known:
+            todo.put(site)
+    lock = threading.Lock()
+
+    def num_judged():
+        return sum(r["status"] in ("killed", "survived") for r in results)
+
+    def work(number):
+        worker = Worker(number)
+        while num_judged() < arguments.count:
+            site = todo.get()
+            result = {"site": site, "status": worker.judge(site)}
+            with lock, results_file.open("a") as out:
+                results.append(result)
+                out.write(json.dumps(result) + "\n")
+
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for future in [pool.submit(work, n) for n in range(arguments.jobs)]:
+            future.result()
+    killed = sum(r["status"] == "killed" for r in results)
+    for r in results:
+        if r["status"] == "survived":
+            s = r["site"]
+            print(f"survived: {s['file']}:{s['line']}:{s['column'] + 1}: "
+                  f"'{s['old'].strip()}' -> '{s['new'].strip()}'")
+    print(f"{killed} of {num_judged()} mutants killed")
+
+
+if __name__ == "__main__":
+    main()
