@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -41,9 +44,21 @@ void SetUpLogging() {
 /// Returns the first line of a message. Messages of libraries may have several.
 std::string FirstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
 
+/// Writes what is buffered of the standard output. Returns false and logs an error if not all of
+/// the output could be written, as to a full disk.
+bool FlushOutput() {
+  std::cout.flush();
+  const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  if (!is_written) spdlog::error("the standard output cannot be written: {}", std::strerror(errno));
+  return is_written;
+}
+
 /// Prints the help text or version if requested, otherwise logs the error. Returns the exit code.
 int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
+  if (error.get_exit_code() == 0) {
+    const int exit_code = app.exit(error);
+    return FlushOutput() ? exit_code : kBadInput;
+  }
   spdlog::error("{} (see --help)", FirstLine(error.what()));
   return kBadInput;
 }
@@ -72,7 +87,7 @@ int Main(int argc, char** argv) {
     spdlog::error("{}", FirstLine(error.what()));
     return kBadInput;
   }
-  if (!app.get_subcommands().empty()) return exit_code;
+  if (!app.get_subcommands().empty()) return FlushOutput() ? exit_code : kBadInput;
   spdlog::error("no command given (see --help)");
   return kBadInput;
 }

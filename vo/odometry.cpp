@@ -5,6 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "orb/error.h"
 #include "vo/map/frame_history.h"
 #include "vo/mapping/contested_keypoints.h"
 #include "vo/mapping/culling.h"
@@ -69,6 +72,20 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
     JoinSegments(frame);
   }
   return Accept(std::move(frame), tracking);
+}
+
+FrameResult Odometry::ProcessMissing(TimeNs time_ns, Reason reason) {
+  if (!IsMissingImage(reason)) {
+    throw Error(fmt::format("reason of a missing image is {}; allowed is {} or {}",
+                            ToString(reason), ToString(Reason::kUnreadableImage),
+                            ToString(Reason::kWrongSize)));
+  }
+  history_->CheckNext(time_ns);
+  clock_.Reset();
+  const int frame = history_->AddMissing(time_ns, reason);
+  history_->outcome(frame).state = map_.empty() ? State::kInitializing : State::kLost;
+  history_->outcome(frame).segment = segment_;
+  return history_->ResultOf(frame, map_);
 }
 
 Trajectory Odometry::Finish() {

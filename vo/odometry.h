@@ -63,6 +63,11 @@ class Odometry {
   /// detected only where it is nonzero. Throws corvo::Error otherwise, without changing the state.
   FrameResult Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask = cv::Mat());
 
+  /// Adds a frame whose image is missing, for the reason kUnreadableImage or kWrongSize. It gets no
+  /// pose; tracking goes on with the next image, as after a longer time. `time_ns` is later than
+  /// that of the previous frame. Throws corvo::Error otherwise, without changing the state.
+  FrameResult ProcessMissing(TimeNs time_ns, Reason reason);
+
   /// Returns all frames so far with their current poses: later adjustments change earlier poses,
   /// frames before the initialization obtain poses afterwards, and a segment that sees landmarks of
   /// an earlier one becomes part of it.

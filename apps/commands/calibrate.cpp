@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
 #include "apps/output/candidate_report.h"
 #include "apps/output/output_folder.h"
@@ -51,6 +52,7 @@ struct CalibrateArguments {
   std::optional<double> frame_rate_hz;
   Selection selection;
   int threads = 1;
+  bool force = false;
 };
 
 /// Returns an opener for each input. All images of an input must have the size of its first image.
@@ -82,8 +84,8 @@ std::vector<CalibrationModel> ModelsOf(const std::string& name) {
   return models;
 }
 
-CameraCalibration CalibrateInputs(const CalibrateArguments& arguments) {
-  const Interruption interruption;
+CameraCalibration CalibrateInputs(const CalibrateArguments& arguments,
+                                  const Interruption& interruption) {
   const std::vector<StreamOpener> openers = OpenersOf(arguments);
   SelfCalibrationOptions options;
   options.threads = arguments.threads;
@@ -95,22 +97,26 @@ CameraCalibration CalibrateInputs(const CalibrateArguments& arguments) {
   return calibration;
 }
 
-void WriteCalibration(const CameraCandidate& candidate, const fs::path& file) {
+std::string ResidualImage(const fs::path& file) { return file.stem().string() + "_residuals.png"; }
+
+void WriteCalibration(const CameraCandidate& candidate, const fs::path& file,
+                      OutputFolder& output) {
   const Camera camera(candidate.adjustment.camera);
   const std::string name = file.filename().string();
-  const std::string image = file.stem().string() + "_residuals.png";
-  OutputFolder output(fs::absolute(file).parent_path());
+  const std::string image = ResidualImage(file);
   output.Write(name, WriteCameraFile(
                          {camera, {}, "estimated by corvo calibrate", EstimatedSigmas(candidate)}));
   if (!DrawResiduals(camera, candidate.bundles, output.Stage(image))) {
     spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)", image);
   }
-  output.Commit({image, name});
+  output.Commit();
 }
 
-int Calibrate(const CalibrateArguments& arguments) {
-  CheckOutputFile(arguments.output, "the camera");
-  const CameraCalibration calibration = CalibrateInputs(arguments);
+int Calibrate(const CalibrateArguments& arguments, const Interruption& interruption) {
+  OutputFolder output(
+      fs::absolute(arguments.output).parent_path(),
+      PlanOfFile(arguments.output, {ResidualImage(arguments.output)}, arguments.force));
+  const CameraCalibration calibration = CalibrateInputs(arguments, interruption);
   ReportFocalSearch(calibration.start);
   if (calibration.selected == kNoId) {
     spdlog::error("no input could be {}; nothing was written",
@@ -121,16 +127,17 @@ int Calibrate(const CalibrateArguments& arguments) {
   fmt::print("{}\n{}", CandidatesText(calibration.candidates, calibration.selected),
              EstimateText(candidate));
   for (const std::string& warning : UndeterminedWarnings(candidate)) spdlog::warn("{}", warning);
-  WriteCalibration(candidate, arguments.output);
+  WriteCalibration(candidate, arguments.output, output);
   return 0;
 }
 
 int CalibrateUnlessInterrupted(const CalibrateArguments& arguments) {
+  const Interruption interruption;
   try {
-    return Calibrate(arguments);
+    return Calibrate(arguments, interruption);
   } catch (const Interrupted&) {
     spdlog::error("interrupted; nothing was written");
-    return kInterrupted;
+    return ExitCodeOf(interruption.PendingSignal());
   }
 }
 
@@ -160,6 +167,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
       ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback(
       [arguments, &exit_code] { exit_code = CalibrateUnlessInterrupted(*arguments); });

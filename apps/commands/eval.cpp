@@ -11,11 +11,15 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
 #include "apps/dataset/frame_selection.h"
 #include "apps/output/evaluation_report.h"
+#include "apps/output/json_text.h"
+#include "apps/output/output_folder.h"
 #include "apps/output/plot.h"
 #include "apps/run/eval_inputs.h"
+#include "apps/run/result_folder.h"
 
 namespace corvo {
 namespace {
@@ -47,6 +51,7 @@ struct EvalArguments {
   int rpe_frames = 1;
   double rpe_seconds = 1;
   bool json = false;
+  bool force = false;
 };
 
 TimeNs Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
@@ -67,6 +72,7 @@ EvalInputs ReadInputs(const EvalArguments& arguments) {
   const std::filesystem::path frames = arguments.frames.empty()
                                            ? inputs.estimate_file.parent_path() / "frames.csv"
                                            : arguments.frames;
+  if (arguments.frames.empty()) CheckResultFile(arguments.files.estimate, "frames.csv");
   inputs.estimate = SelectFrames(inputs.estimate, frames, arguments.selection);
   return inputs;
 }
@@ -81,7 +87,21 @@ void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
                                  {"truth", inputs.truth_file.string()},
                                  {"align", arguments.alignment}};
   json.update(ToJson(evaluation));
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}", JsonText(json));
+}
+
+void DrawPlot(const EvalArguments& arguments, const EvalInputs& inputs,
+              const Evaluation& evaluation) {
+  const std::filesystem::path& image = arguments.image;
+  const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
+  OutputFolder output(std::filesystem::absolute(image).parent_path(),
+                      PlanOfFile(image, {}, arguments.force));
+  if (DrawTrajectory({{aligned}, inputs.truth}, output.Stage(image.filename().string()))) {
+    output.Commit();
+    return;
+  }
+  spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)",
+               image.string());
 }
 
 void Eval(const EvalArguments& arguments) {
@@ -89,11 +109,7 @@ void Eval(const EvalArguments& arguments) {
   const Evaluation evaluation = Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
   PrintReport(arguments, inputs, evaluation);
   if (arguments.image.empty()) return;
-  const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
-  if (!DrawTrajectory({{aligned}, inputs.truth}, arguments.image)) {
-    spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)",
-                 arguments.image.string());
-  }
+  DrawPlot(arguments, inputs, evaluation);
 }
 
 void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
@@ -149,6 +165,7 @@ void AddEvalCommand(CLI::App& app) {
   AddMeasureOptions(*command, *arguments);
   command->add_flag("--json", arguments->json, "print JSON");
   command->add_option("--plot", arguments->image, "PNG file for a plot of both trajectories");
+  AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback([arguments] { Eval(*arguments); });
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/dataset/image_source.h"
 #include "apps/output/features_output.h"
 #include "apps/output/output_folder.h"
@@ -33,6 +34,7 @@ struct FeaturesArguments {
   std::vector<fs::path> images;
   fs::path output;
   fs::path config;
+  bool force = false;
 };
 
 /// Returns the stem of the names of both result files of an image.
@@ -50,6 +52,17 @@ void CheckNames(const std::vector<fs::path>& images) {
   }
 }
 
+OutputPlan PlanOf(const FeaturesArguments& arguments) {
+  OutputPlan plan;
+  plan.names = {"config.yaml"};
+  for (const fs::path& image : arguments.images) {
+    plan.names.push_back(ResultName(image) + ".csv");
+    plan.names.push_back(ResultName(image) + ".png");
+  }
+  plan.replaces_foreign = arguments.force;
+  return plan;
+}
+
 /// Writes the results of one image and returns a line that describes them.
 std::string ExtractImage(const fs::path& file, const orb::Extractor& extractor,
                          const OutputFolder& output) {
@@ -65,16 +78,11 @@ void ExtractFeatures(const FeaturesArguments& arguments) {
   const OdometryOptions options =
       arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
   const orb::Extractor extractor(options.extractor);
-  OutputFolder output(arguments.output);
+  OutputFolder output(arguments.output, PlanOf(arguments));
   output.Write("config.yaml", WriteOptions(options));
-  std::vector<std::string> names = {"config.yaml"};
   std::string text;
-  for (const fs::path& image : arguments.images) {
-    text += ExtractImage(image, extractor, output);
-    names.push_back(ResultName(image) + ".csv");
-    names.push_back(ResultName(image) + ".png");
-  }
-  output.Commit(names);
+  for (const fs::path& image : arguments.images) text += ExtractImage(image, extractor, output);
+  output.Commit();
   fmt::print("{}", text);
 }
 
@@ -86,6 +94,7 @@ void AddFeaturesCommand(CLI::App& app) {
   command->add_option("IMAGE", arguments->images, "images")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options file; see 'corvo config'");
+  AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback([arguments] { ExtractFeatures(*arguments); });
 }

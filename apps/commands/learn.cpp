@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/dataset/image_source.h"
 #include "apps/output/output_folder.h"
 #include "apps/run/progress_line.h"
@@ -45,6 +46,7 @@ struct LearnArguments {
   fs::path output;
   fs::path config;
   std::string source;
+  bool force = false;
   int num_keypoints = 300000;
   int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
 };
@@ -138,7 +140,8 @@ std::string FileText(const LearnArguments& arguments, int num_images, int num_ke
 }
 
 void Learn(const LearnArguments& arguments) {
-  CheckOutputFile(arguments.output, "the pattern");
+  OutputFolder output(fs::absolute(arguments.output).parent_path(),
+                      PlanOfFile(arguments.output, {}, arguments.force));
   if (arguments.source.find_first_of("\r\n\\") != std::string::npos) {
     throw Error("--source must be one line without backslashes");
   }
@@ -148,10 +151,9 @@ void Learn(const LearnArguments& arguments) {
   const orb::LearningResult result = orb::LearnPattern(
       training, arguments.threads,
       [&](const orb::SelectionProgress& progress) { report.ShowSelection(progress); });
-  OutputFolder output(fs::absolute(arguments.output).parent_path());
   const std::string name = arguments.output.filename().string();
   output.Write(name, FileText(arguments, static_cast<int>(images.size()), training.size(), result));
-  output.Commit({name});
+  output.Commit();
   fmt::print("{}: {} tests from {} keypoints of {} images\n", arguments.output.string(),
              orb::kNumTests, training.size(), images.size());
 }
@@ -176,6 +178,7 @@ void AddLearnCommand(CLI::App& app) {
       ->add_option("--threads", arguments->threads,
                    "number of threads; does not affect the result (default: number of processors)")
       ->check(CLI::Range(1, 256));
+  AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback([arguments] { Learn(*arguments); });
 }

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/dataset/image_source.h"
 #include "apps/output/features_output.h"
 #include "apps/output/match_images.h"
@@ -33,6 +35,7 @@ struct MatchArguments {
   fs::path second;
   fs::path output;
   fs::path config;
+  bool force = false;
 };
 
 std::string HomographyText(const cv::Matx33d& h) {
@@ -50,20 +53,23 @@ std::string SummaryText(const MatchArguments& arguments, const ImageMatches& ima
 void Match(const MatchArguments& arguments) {
   const OdometryOptions options =
       arguments.config.empty() ? OdometryOptions{} : ReadOptions(arguments.config);
+  OutputPlan plan;
+  plan.names = {"config.yaml", "matches.csv", "homography.txt", "matches.png"};
+  plan.replaces_foreign = arguments.force;
+  OutputFolder output(arguments.output, std::move(plan));
   const cv::Mat first = ReadGrayImage(arguments.first);
   const cv::Mat second = ReadGrayImage(arguments.second);
   const orb::Extractor extractor(options.extractor);
   const ImageMatches images =
       MatchImages(extractor.Extract(first), extractor.Extract(second),
                   options.matching.max_tracking_distance, options.tracker.max_ratio);
-  OutputFolder output(arguments.output);
   output.Write("config.yaml", WriteOptions(options));
   output.Write("matches.csv", MatchTable(images));
   if (images.second_from_first) {
     output.Write("homography.txt", HomographyText(*images.second_from_first));
   }
   WriteImage(DrawMatches(first, second, images), "matches.png", output);
-  output.Commit({"config.yaml", "matches.csv", "homography.txt", "matches.png"});
+  output.Commit();
   fmt::print("{}", SummaryText(arguments, images));
 }
 
@@ -76,6 +82,7 @@ void AddMatchCommand(CLI::App& app) {
   command->add_option("B", arguments->second, "second image")->required();
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options file; see 'corvo config'");
+  AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback([arguments] { Match(*arguments); });
 }

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "apps/commands/run.h"
 
-#include <functional>
+#include <csignal>
+#include <filesystem>
 #include <memory>
-#include <optional>
-#include <utility>
+#include <string>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/track_drawings.h"
+#include "apps/run/checkpoint.h"
+#include "apps/run/image_processing.h"
 #include "apps/run/interruption.h"
-#include "apps/run/progress.h"
-#include "apps/run/progress_line.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_record.h"
 #include "apps/run/run_results.h"
-#include "apps/run/stopwatch.h"
+#include "apps/run/run_summary.h"
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
@@ -36,87 +38,64 @@ constexpr const char* kFooter = R"(Examples:
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 invalid usage, configuration or input, 2 never initialized, 3 lost part-way,
-130 interrupted with Ctrl-C, in which case nothing is written and earlier results are kept. With a
-live camera, Ctrl-C ends the sequence and the results are written.)";
+130 interrupted with Ctrl-C, 143 with SIGTERM, 129 with SIGHUP. However a run ends, what it has found
+is written and marked as incomplete; a complete earlier result is kept. With a live camera, Ctrl-C
+ends the sequence and the result is complete.)";
 
-/// Returns an empty record whose odometry reports to it.
-RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
-  RunRecord record(Odometry(inputs.camera, inputs.options, arguments.threads));
-  record.odometry.SetLandmarkCallback(
-      [finished = record.finished.get()](const MarginalizedLandmark& landmark) {
-        finished->Add(landmark);
-      });
-  if (arguments.refine) record.odometry.SetObservationCallback(record.observations.Callback());
-  return record;
+std::string FramesText(const RunSummary& summary) {
+  return summary.num_expected
+             ? fmt::format("{} of {} frames", summary.num_frames, *summary.num_expected)
+             : fmt::format("{} frames", summary.num_frames);
 }
 
-/// Refines the recorded sequence as a whole and shows the progress.
-void RefineRecord(const std::function<bool()>& is_interrupted, RunRecord& record) {
-  ProgressLine line;
-  record.refinement = Refine(record.odometry, record.observations, {}, [&](double share) {
-    line.Show(share, "refining");
-    return !is_interrupted();
-  });
-  record.trajectory = record.refinement->trajectory;
-  record.is_interrupted = is_interrupted();
-}
-
-RunRecord ProcessImages(RunInputs& inputs, const RunArguments& arguments,
-                        const Interruption& interruption) {
-  RunRecord record = MakeRecord(inputs, arguments);
-  ProgressReport progress(inputs.source.size().value_or(0));
-  TrackDrawings drawings(arguments.drawings);
-  Stopwatch watch;
-  const auto is_interrupted = [&] {
-    return interruption.IsRequested() && !inputs.source.is_live();
-  };
-  while (const std::optional<TimedImage> next = inputs.source.Next()) {
-    FrameTiming timing;
-    timing.read_ms = watch.LapMs();
-    const FrameResult frame = record.odometry.Process(next->image, next->time_ns, next->mask);
-    timing.total_ms = watch.LapMs();
-    timing.stages = record.odometry.last_times();
-    record.timings.push_back(timing);
-    drawings.Add(next->image, record.odometry.last_mask(), record.odometry.last_frame(), frame);
-    progress.Add(frame);
-    watch.LapMs();
-    if (!interruption.IsRequested()) continue;
-    record.is_interrupted = is_interrupted();
-    break;
+/// Saves at least a checkpoint of a run whose results cannot be written in full, as on a full disk.
+[[noreturn]] void SaveTheTrajectory(const std::string& error, const RunRecord& record,
+                                    const Checkpoint& checkpoint, const OutputFolder& output) {
+  output.Discard();
+  try {
+    checkpoint.Save(record.odometry, error);
+  } catch (const std::exception&) {  // The first error says why.
+    throw Error(error);
   }
-  record.trajectory = record.odometry.Finish();
-  if (arguments.refine && !record.is_interrupted) RefineRecord(is_interrupted, record);
-  record.trajectory = Scale(arguments.meters_per_unit.value_or(1), std::move(record.trajectory));
-  record.elapsed_s = watch.ElapsedMs() / 1e3;
-  return record;
+  throw Error(fmt::format("{}; only the trajectory is in {}", error, output.checkpoint().string()));
 }
 
 int Run(const RunArguments& arguments, const Interruption& interruption) {
+  OutputFolder output(arguments.output, PlanOfRun(arguments.force));
+  TrackDrawings drawings(arguments.drawings, arguments.force);
   RunInputs inputs = ReadInputs(arguments, interruption);
-  OutputFolder output(arguments.output);
-  const RunRecord record = ProcessImages(inputs, arguments, interruption);
-  if (record.is_interrupted) {
-    spdlog::error("interrupted after {} frames; nothing was written", record.timings.size());
-    return kInterrupted;
-  }
+  Checkpoint checkpoint(arguments, inputs, output);
+  const RunRecord record = ProcessSequence(arguments, interruption, inputs, drawings, checkpoint);
   const RunSummary summary = Summarize(arguments, inputs, record);
-  WriteResults(arguments, inputs, record, summary, output);
-  fmt::print("{}", SummaryText(arguments, summary));
-  return static_cast<int>(summary.outcome);
+  try {
+    StageResults(arguments, inputs, record, summary, output);
+  } catch (const std::exception& error) {
+    SaveTheTrajectory(error.what(), record, checkpoint, output);
+  }
+  const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
+  if (summary.end.is_complete()) {
+    fmt::print("{}", SummaryText(arguments, summary));
+    return static_cast<int>(summary.outcome);
+  }
+  spdlog::error("{}, after {}; the partial result is in {}", summary.end.why, FramesText(summary),
+                folder.string());
+  return summary.end.exit_code;
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
+  std::signal(SIGPIPE, SIG_IGN);    // A reader of the messages that goes away does not end the run.
   const Interruption interruption;  // Before any thread starts: threads inherit the signal mask.
   try {
     return Run(arguments, interruption);
   } catch (const Interrupted&) {
     spdlog::error("interrupted during the calibration of the camera; nothing was written");
-    return kInterrupted;
+    return ExitCodeOf(interruption.PendingSignal());
   }
 }
 
 void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "folder for the results")->required();
+  AddForceFlag(command, arguments.force);
   command.add_option("--draw", arguments.drawings,
                      "folder for drawings of every frame with its tracked features");
   command

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <glob.h>
 
 #include <fmt/format.h>
 
 #include "apps/dataset/image_layouts.h"
+#include "apps/output/manifest.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -32,6 +34,30 @@ std::string_view TakeToken(std::string_view& text) {
 
 /// Returns whether the file is a depth image of 7-Scenes, which has one beside each color image.
 bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
+
+/// The files that corvo wrote: a manifest beside them lists them with their size.
+class WrittenFiles {
+ public:
+  bool Contain(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const auto [listed, is_new] = listed_.try_emplace(folder);
+    if (is_new) listed->second = ListResults(folder);
+    return std::ranges::any_of(listed->second, [&](const ManifestFile& result) {
+      std::error_code error;
+      return result.name == file.filename().string() &&
+             result.num_bytes == fs::file_size(file, error) && !error;
+    });
+  }
+
+ private:
+  std::map<fs::path, std::vector<ManifestFile>> listed_;
+};
+
+/// Removes files that corvo wrote: output never becomes input.
+void RemoveOutput(std::vector<fs::path>& files) {
+  WrittenFiles written;
+  std::erase_if(files, [&](const fs::path& file) { return written.Contain(file); });
+}
 
 void AddTimes(const std::vector<fs::path>& files, double frame_rate_hz, ImageList& list) {
   for (const fs::path& file : files) {
@@ -72,6 +98,7 @@ std::vector<fs::path> ImageFilesIn(const fs::path& folder) {
     const bool hidden = file.filename().string().front() == '.';
     if (!hidden && HasImageExtension(file) && !IsDepthImage(file)) files.push_back(file);
   }
+  RemoveOutput(files);
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return NaturalLess(a.filename().string(), b.filename().string());
   });
@@ -91,6 +118,7 @@ ImageList ListMatchingImages(const fs::path& pattern, double frame_rate_hz) {
     }
   }
   globfree(&found);
+  RemoveOutput(files);
   if (files.empty()) throw Error(fmt::format("{}: matches no image", pattern.string()));
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return NaturalLess(a.string(), b.string());

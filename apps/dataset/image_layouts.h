@@ -43,7 +43,8 @@ ImageList ListFolderImages(const std::filesystem::path& input, double frame_rate
 /// Returns whether a file has the extension png, jpg, jpeg, bmp, pgm, tif or tiff.
 bool HasImageExtension(const std::filesystem::path& file);
 
-/// Returns the image files of a folder, in natural order.
+/// Returns the image files of a folder, in natural order, without hidden ones and those that corvo
+/// wrote.
 std::vector<std::filesystem::path> ImageFilesIn(const std::filesystem::path& folder);
 
 /// Returns whether `a` precedes `b` in natural order, in which runs of digits are compared as

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "vo/core/conventions.h"
+#include "vo/core/frame_result.h"
 
 namespace corvo {
 
@@ -19,11 +20,13 @@ struct TimedFile {
 };
 
 struct TimedImage {
-  cv::Mat image;  ///< 8-bit gray.
+  cv::Mat image;  ///< 8-bit gray; empty if it is missing.
   cv::Mat mask;   ///< Empty, or of the image's size: features are detected only where nonzero.
   TimeNs time_ns = 0;
   int index = 0;     ///< Index in the whole sequence, from 0.
   std::string name;  ///< Name for error messages: its file, or the video and frame number.
+  Reason missing = Reason::kNone;  ///< Why the image is missing; kNone if it is not.
+  std::string error = {};          ///< The error that made it so.
 };
 
 /// Reads images one at a time, in the order in which they were taken.
@@ -32,7 +35,7 @@ class ImageReader {
   virtual ~ImageReader() = default;
 
   /// Returns the next image, or std::nullopt after the last. Throws corvo::Error if it cannot be
-  /// read.
+  /// read; the next call then returns the image after it.
   virtual std::optional<TimedImage> Read() = 0;
 
   /// Skips the next image. Returns false after the last.

@@ -55,10 +55,9 @@ std::optional<int> ParseDevice(std::string_view input) {
   return device;
 }
 
-void CheckSize(const TimedImage& image, const cv::Size& size) {
-  if (image.image.size() == size) return;
-  throw Error(fmt::format("{}: the image is {} x {} px, the camera {} x {} px", image.name,
-                          image.image.cols, image.image.rows, size.width, size.height));
+std::string SizeError(const TimedImage& image, const cv::Size& size) {
+  return fmt::format("{}: the image is {} x {} px, the camera {} x {} px", image.name,
+                     image.image.cols, image.image.rows, size.width, size.height);
 }
 
 /// Shrinks an image by averaging, or enlarges it by linear interpolation.
@@ -101,36 +100,81 @@ ImageSource::ImageSource(ImageList list, std::unique_ptr<ImageReader> reader,
                          const Selection& selection)
     : list_(std::move(list)), reader_(std::move(reader)), selection_(selection) {}
 
+bool ImageSource::ReadAhead() {
+  std::optional<TimedImage> next = ReadNext();
+  if (next) ahead_.push_back(std::move(*next));
+  return next.has_value();
+}
+
 const TimedImage& ImageSource::First() {
-  if (!first_) first_ = ReadNext();
-  if (!first_) throw Error("there are no images: the sequence ends before --start");
-  return *first_;
+  const auto is_readable = [](const TimedImage& image) { return image.missing == Reason::kNone; };
+  auto first = std::ranges::find_if(ahead_, is_readable);
+  while (first == ahead_.end() && ReadAhead()) first = std::ranges::find_if(ahead_, is_readable);
+  if (first != ahead_.end()) return *first;
+  if (ahead_.empty()) throw Error("there are no images: the sequence ends before --start");
+  if (ahead_.size() == 1) throw Error(ahead_.front().error);
+  throw Error(
+      fmt::format("{} (none of {} images can be read)", ahead_.front().error, ahead_.size()));
 }
 
 void ImageSource::Prepare(Preparation preparation) {
-  CheckSize(First(), preparation.size);
+  constexpr std::size_t kMaxAhead = 10;  // A camera of another resolution is noticed soon.
+  const std::string error = SizeError(First(), preparation.size);
+  const auto has_size = [&](const TimedImage& image) {
+    return image.image.size() == preparation.size;
+  };
+  while (std::ranges::none_of(ahead_, has_size)) {
+    if (requires_all_ || ahead_.size() >= kMaxAhead || !ReadAhead()) throw Error(error);
+  }
   preparation_ = std::move(preparation);
 }
 
 std::optional<TimedImage> ImageSource::Next() {
-  std::optional<TimedImage> next = first_ ? std::move(first_) : ReadNext();
-  first_.reset();
-  if (!next || !preparation_) return next;
-  CheckSize(*next, preparation_->size);
-  next->mask = ResizeMask(preparation_->mask_source.MaskOf(*next), preparation_->resize_to);
-  next->image = Resize(next->image, preparation_->resize_to);
+  if (ahead_.empty() && !ReadAhead()) return std::nullopt;
+  TimedImage next = std::move(ahead_.front());
+  ahead_.pop_front();
+  if (!preparation_ || next.missing != Reason::kNone) return next;
+  if (next.image.size() != preparation_->size) {
+    next.missing = Reason::kWrongSize;
+    next.error = SizeError(next, preparation_->size);
+    next.image = cv::Mat();
+    if (requires_all_) throw Error(next.error);
+    return next;
+  }
+  next.mask = ResizeMask(preparation_->mask_source.MaskOf(next), preparation_->resize_to);
+  next.image = Resize(next.image, preparation_->resize_to);
   return next;
 }
 
 bool ImageSource::Skip() {
-  if (!first_) return Advance() && reader_->Skip();
-  first_.reset();
+  if (ahead_.empty()) {
+    if (!Advance()) return false;
+    ++num_passed_;
+    return reader_->Skip();
+  }
+  ahead_.pop_front();
   return true;
 }
 
 std::optional<TimedImage> ImageSource::ReadNext() {
   if (!Advance()) return std::nullopt;
-  return reader_->Read();
+  const auto position = static_cast<std::size_t>(num_passed_++);
+  std::optional<TimedImage> next;
+  try {
+    next = reader_->Read();
+  } catch (const Error& error) {
+    if (position >= list_.images.size()) throw;  // Not a file.
+    const TimedFile& file = list_.images[position];
+    next = TimedImage{{},
+                      {},
+                      file.time_ns,
+                      static_cast<int>(position),
+                      file.file.string(),
+                      Reason::kUnreadableImage,
+                      error.what()};
+  }
+  if (next && next->missing != Reason::kNone && requires_all_) throw Error(next->error);
+  return next;
 }
 
 bool ImageSource::Advance() {
@@ -138,6 +182,7 @@ bool ImageSource::Advance() {
   const int num_skipped = num_read_ == 0 ? selection_.start : selection_.every - 1;
   for (int i = 0; i < num_skipped; ++i) {
     if (!reader_->Skip()) return false;
+    ++num_passed_;
   }
   ++num_read_;
   return true;

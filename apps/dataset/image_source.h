@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -44,22 +45,26 @@ struct Preparation {
   MaskSource mask_source;
 };
 
-/// Returns the images of a sequence one at a time. Each image is decoded on request.
+/// Returns the images of a sequence one at a time. Each image is decoded on request. An image that
+/// cannot be read or has another size is returned as missing.
 class ImageSource {
  public:
   explicit ImageSource(ImageList list, const Selection& selection = {});
   ImageSource(ImageList list, std::unique_ptr<ImageReader> reader, const Selection& selection);
 
-  /// Returns the first image as it is read, without consuming it. Throws corvo::Error if there is
-  /// none.
+  /// From now on, throws corvo::Error for an image that would be missing.
+  void RequireAll() { requires_all_ = true; }
+
+  /// Returns the first readable image as it is read, without consuming it. Throws corvo::Error if
+  /// there is none.
   const TimedImage& First();
 
   /// Sets the preparation of all images that Next() returns. Throws corvo::Error with both sizes if
-  /// the first image does not have the required size.
+  /// none of the first images has the required size.
   void Prepare(Preparation preparation);
 
-  /// Returns the next image, or std::nullopt after the last. Throws corvo::Error if it cannot be
-  /// read or does not have the size required by Prepare().
+  /// Returns the next image, or std::nullopt after the last. It is missing if it cannot be read or
+  /// does not have the size required by Prepare().
   std::optional<TimedImage> Next();
 
   /// Skips the next image without decoding it. Returns false after the last.
@@ -74,6 +79,8 @@ class ImageSource {
 
  private:
   std::optional<TimedImage> ReadNext();
+  /// Reads the next image in addition to those read ahead. Returns false after the last.
+  bool ReadAhead();
   /// Advances to the next selected image. Returns false if there is none.
   bool Advance();
 
@@ -81,8 +88,10 @@ class ImageSource {
   std::unique_ptr<ImageReader> reader_;
   Selection selection_;
   std::optional<Preparation> preparation_;
-  std::optional<TimedImage> first_;  ///< Read by First(), but not yet returned by Next().
-  int num_read_ = 0;
+  std::deque<TimedImage> ahead_;  ///< Read, but not yet returned by Next().
+  int num_read_ = 0;              ///< Number of selected images that were read or skipped.
+  int num_passed_ = 0;            ///< The same, with those that are not selected.
+  bool requires_all_ = false;
 };
 
 /// Returns whether the input is a connected camera: "0" or "camera:0".

@@ -26,8 +26,16 @@ class CaptureReader : public ImageReader {
     if (!Skip()) return std::nullopt;
     const std::string name = fmt::format("{}, frame {}", name_, index_);
     cv::Mat image;
-    if (!capture_.retrieve(image)) throw Error(fmt::format("{}: cannot be decoded", name));
-    return TimedImage{ToGray(image, name).clone(), {}, time_ns_, index_, name};
+    if (!capture_.retrieve(image)) {
+      return TimedImage{{},
+                        {},
+                        time_ns_,
+                        index_,
+                        name,
+                        Reason::kUnreadableImage,
+                        fmt::format("{}: cannot be decoded", name)};
+    }
+    return TimedImage{ToGray(image, name).clone(), {}, time_ns_, index_, name, Reason::kNone, {}};
   }
 
   bool Skip() override {

@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 #include <opencv2/features2d.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "orb/error.h"
+#include "apps/output/image_file.h"
 #include "orb/opencv.h"
 
 namespace corvo {
@@ -100,8 +99,7 @@ cv::Mat DrawMatches(const cv::Mat& first, const cv::Mat& second, const ImageMatc
 }
 
 void WriteImage(const cv::Mat& image, const std::string& name, const OutputFolder& output) {
-  const std::string file = output.Stage(name).string();
-  if (!cv::imwrite(file, image)) throw Error(fmt::format("{}: cannot be written", file));
+  output.Write(name, EncodeImage(image, ".png"));
 }
 
 }  // namespace corvo

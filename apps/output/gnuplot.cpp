@@ -3,12 +3,18 @@
 
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <memory>
+#include <string_view>
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
@@ -27,6 +33,16 @@ File HoldText(const std::string& text) {
   if (std::fflush(file.get()) != 0) return nullptr;
   std::rewind(file.get());
   return file;
+}
+
+/// Returns whether a file ends with the last chunk of a PNG.
+bool IsWholePng(const std::filesystem::path& file) {
+  constexpr std::string_view kEnd = "IEND\xAE\x42\x60\x82";
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(-static_cast<std::streamoff>(kEnd.size()), std::ios::end);
+  std::string end(kEnd.size(), '\0');
+  stream.read(end.data(), static_cast<std::streamsize>(end.size()));
+  return stream.good() && end == kEnd;
 }
 
 /// Runs gnuplot with these files as standard input and output. Returns whether it succeeded.
@@ -57,7 +73,11 @@ bool Spawn(int input, const std::filesystem::path& output) {
 
 bool RunGnuplot(const std::string& script, const std::filesystem::path& output) {
   const File input = HoldText(script);
-  if (input && Spawn(fileno(input.get()), output)) return true;
+  if (input && Spawn(fileno(input.get()), output)) {
+    // gnuplot reports no error if the disk is full.
+    if (IsWholePng(output)) return true;
+    throw Error(fmt::format("{}: cannot be written in full", output.string()));
+  }
   std::error_code ignored;
   std::filesystem::remove(output, ignored);
   return false;

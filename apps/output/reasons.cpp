@@ -39,6 +39,10 @@ std::string_view Advice(Reason reason) {
       return "the image repeats the one before";
     case Reason::kScaleUncertain:
       return "the scale may have changed: a large moving object, or repetitive texture";
+    case Reason::kUnreadableImage:
+      return "the image could not be read: the file is damaged, cut off or of another format";
+    case Reason::kWrongSize:
+      return "the image does not have the camera's size";
   }
   return "";
 }

@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "apps/output/manifest.h"
 #include "vo/core/frame_result.h"
 #include "vo/map/frame.h"
 
@@ -18,12 +19,18 @@ namespace corvo {
 cv::Mat DrawTracks(const cv::Mat& image, const cv::Mat& mask, const Frame& frame,
                    const FrameResult& result, const std::map<LandmarkId, cv::Point2f>& previous);
 
-/// Draws the tracked features of every frame into a folder: 000000.jpg, 000001.jpg ...
+/// Draws the tracked features of every frame into a folder: 000000.jpg, 000001.jpg ... Drawings
+/// that the folder's manifest lists are removed with the first new one.
 class TrackDrawings {
  public:
   /// Creates the folder. With an empty path, nothing is drawn. Throws corvo::Error if the folder
-  /// cannot be created.
-  explicit TrackDrawings(const std::filesystem::path& folder);
+  /// cannot be created or holds files with names of drawings that corvo has not written, unless
+  /// `replaces_foreign` is set.
+  explicit TrackDrawings(const std::filesystem::path& folder, bool replaces_foreign = false);
+  /// Writes the manifest of the drawings. Without any, removes the folder if it was created.
+  ~TrackDrawings();
+  TrackDrawings(const TrackDrawings&) = delete;
+  TrackDrawings& operator=(const TrackDrawings&) = delete;
 
   /// Draws a frame, which was searched for features where `mask` is empty or not zero. Throws
   /// corvo::Error if the image cannot be written.
@@ -31,7 +38,12 @@ class TrackDrawings {
            const FrameResult& result);
 
  private:
+  void RemoveEarlier();
+
   std::filesystem::path folder_;
+  bool made_folder_ = false;
+  Manifest earlier_;
+  Manifest written_;
   std::map<LandmarkId, cv::Point2f> previous_;
 };
 

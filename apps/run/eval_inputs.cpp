@@ -5,6 +5,7 @@
 
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/pose_file.h"
+#include "apps/run/result_folder.h"
 #include "orb/error.h"
 #include "vo/io/trajectory_io.h"
 
@@ -14,14 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path FindEstimate(const fs::path& given) {
-  return fs::is_directory(given) ? given / "trajectory.tum" : given;
+  if (!fs::is_directory(given)) return given;
+  CheckResultFile(given, "trajectory.tum");
+  return given / "trajectory.tum";
 }
 
 fs::path FindTruth(const EvalFiles& files) {
   const fs::path& given = files.truth;
   if (given.empty()) {
     const fs::path written = files.estimate / "groundtruth.tum";
-    if (fs::is_regular_file(written)) return written;
+    if (fs::is_regular_file(written)) {
+      CheckResultFile(files.estimate, "groundtruth.tum");
+      return written;
+    }
     throw Error(fmt::format("{}: no ground truth: give GT", written.string()));
   }
   if (!fs::is_directory(given)) return given;

@@ -22,7 +22,9 @@ Outcome JudgeOutcome(const Trajectory& trajectory) {
     return frame.world_from_camera.has_value();
   };
   const auto first = std::find_if(trajectory.frames.begin(), trajectory.frames.end(), is_posed);
-  const bool lost = !std::all_of(first, trajectory.frames.end(), is_posed);
+  const bool lost = std::any_of(first, trajectory.frames.end(), [&](const FrameResult& frame) {
+    return !is_posed(frame) && !IsMissingImage(frame.reason);
+  });
   return lost || segments > 1 ? Outcome::kLost : Outcome::kDone;
 }
 

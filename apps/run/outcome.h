@@ -11,7 +11,8 @@ namespace corvo {
 enum class Outcome {
   kDone = 0,
   kNeverInitialized = 2,  ///< No frame has a pose.
-  kLost = 3,              ///< Lost after initialization: a gap, or poses in several segments.
+  /// Lost after initialization: a gap, or poses in several segments. Missing images are no gap.
+  kLost = 3,
 };
 
 Outcome JudgeOutcome(const Trajectory& trajectory);

@@ -94,6 +94,7 @@ MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
 ImageSource OpenPreparedImages(const RunArguments& arguments) {
   ImageSource images = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   kDefaultFrameRateHz, arguments.selection);
+  if (arguments.strict) images.RequireAll();
   const TimedImage& first = images.First();
   const cv::Size size = first.image.size();
   images.Prepare({size, size, OpenMasks(arguments, first)});
@@ -184,6 +185,9 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
       .add_option("--fps", arguments.frame_rate_hz,
                   "frame rate of images without timestamps, Hz; overrides a video's timestamps")
       ->check(CLI::Range(1e-3, 1e6));
+  command.add_flag("--strict", arguments.strict,
+                   "make an image that cannot be read or has another size an error; otherwise its "
+                   "frame has no pose and tracking goes on");
   AddSelectionOptions(command, arguments.selection);
   command.add_option("--resize", arguments.resize,
                      "new image size WxH in px, or a factor; the camera is scaled accordingly");
@@ -199,6 +203,7 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
   CheckFocal(arguments);
   ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
                                   DefaultFrameRate(named), arguments.selection);
+  if (arguments.strict) source.RequireAll();
   const TimedImage& first = source.First();
   const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);
   std::vector<std::string> warnings = CheckGivenCamera(arguments, camera.given);

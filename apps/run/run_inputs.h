@@ -34,7 +34,9 @@ struct RunArguments {
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty for the original size.
   int threads = 1;
-  bool refine = false;      ///< Refine the whole sequence after the last frame.
+  bool strict = false;  ///< Whether an image that cannot be read or has another size is an error.
+  bool force = false;   ///< Whether files that are not corvo's are replaced.
+  bool refine = false;  ///< Refine the whole sequence after the last frame.
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,14 @@
 #include "vo/offline/refiner.h"
 
 namespace corvo {
+
+/// How a run ended.
+struct RunEnd {
+  std::string why;  ///< Why it ended before the last image or its refinement; empty if it did not.
+  int exit_code = 0;  ///< The exit code if it did.
+
+  bool is_complete() const { return why.empty(); }
+};
 
 /// The data that a run produces, before anything is written.
 struct RunRecord {
@@ -25,8 +35,9 @@ struct RunRecord {
   std::optional<Refinement> refinement;  ///< Set only if refinement is requested.
   Trajectory trajectory;                 ///< Final estimate, scaled by --meters-per-unit.
   std::vector<FrameTiming> timings;
+  std::map<Reason, std::string> first_errors;  ///< The first missing image of each reason.
   double elapsed_s = 0;
-  bool is_interrupted = false;  ///< The run was interrupted and must not be written.
+  RunEnd end;
 
   bool is_refined() const { return refinement && refinement->adjustment.is_usable(); }
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/run_results.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -9,15 +8,20 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/output/environment.h"
+#include "apps/output/json_text.h"
 #include "apps/output/map_ply.h"
 #include "apps/output/plot.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
+#include "apps/run/trajectory_file.h"
+#include "orb/error.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
 
 namespace corvo {
 namespace {
+
+namespace fs = std::filesystem;
 
 PoseSequence PosedKeyframes(const Trajectory& trajectory) {
   Trajectory keyframes;
@@ -54,39 +58,15 @@ TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
 constexpr const char* kSegmentPrefix = "trajectory_segment_";
 constexpr const char* kSegmentSuffix = ".tum";
 
-/// Returns the poses of several segments in the order of the frames, with a comment wherever the
-/// segment changes.
-std::vector<CommentedPoses> MarkSegments(const std::vector<Segment>& segments,
-                                         const Trajectory& trajectory) {
-  std::map<int, std::string> comments;
-  for (const Segment& segment : segments) comments[segment.index] = ToText(segment);
-  std::vector<CommentedPoses> parts;
-  int segment = kNoId;
-  for (const FrameResult& frame : trajectory.frames) {
-    if (!frame.world_from_camera) continue;
-    if (parts.empty() || frame.segment != segment) {
-      segment = frame.segment;
-      parts.push_back({comments[segment], {}});
-      comments[segment] = fmt::format("segment {}, continued", segment);
-    }
-    parts.back().poses.push_back({frame.time_ns, *frame.world_from_camera});
-  }
-  return parts;
-}
-
-/// Writes trajectory.tum and, if there are several segments, marks them there and writes each to a
-/// file of its own, too.
+/// Writes trajectory.tum and, if there are several segments, each to a file of its own, too.
 void WriteSegments(const Trajectory& trajectory, const OutputFolder& output) {
+  WriteTrajectory(output.Stage("trajectory.tum"), trajectory);
   const std::vector<Segment> segments = trajectory.Segments();
-  if (segments.size() < 2) {
-    WriteTum(output.Stage("trajectory.tum"), trajectory.PosedFrames());
-    return;
-  }
+  if (segments.size() < 2) return;
   for (const Segment& segment : segments) {
     const std::string name = fmt::format("{}{}{}", kSegmentPrefix, segment.index, kSegmentSuffix);
     WriteTumParts(output.Stage(name), {{ToText(segment), PosesOf(segment, trajectory)}});
   }
-  WriteTumParts(output.Stage("trajectory.tum"), MarkSegments(segments, trajectory));
 }
 
 void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output) {
@@ -118,26 +98,36 @@ CameraFile EstimatedCamera(const CalibrationReport& calibration) {
 }
 
 void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
-  output.Write(name, json.dump(2) + "\n");
-}
-
-/// Returns the names of all result files, summary.json last, with those of an earlier run that has
-/// had more segments.
-std::vector<std::string> FileNames(const OutputFolder& output) {
-  std::vector<std::string> names = output.NumberedNames(kSegmentPrefix, kSegmentSuffix);
-  for (const char* name :
-       {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
-        "rotations.tum", "groundtruth.tum", "map.ply", "frames.csv", "timing.csv", "config.yaml",
-        "camera_estimated.yaml", "environment.json", "trajectory.png", "summary.json"}) {
-    names.emplace_back(name);
-  }
-  return names;
+  output.Write(name, JsonText(json));
 }
 
 }  // namespace
 
-void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
-                  const RunSummary& summary, OutputFolder& output) {
+OutputPlan PlanOfRun(bool replaces_foreign) {
+  OutputPlan plan;
+  plan.names = {"trajectory.tum",
+                "trajectory.kitti",
+                "trajectory_euroc.csv",
+                "keyframes.tum",
+                "rotations.tum",
+                "groundtruth.tum",
+                "map.ply",
+                "frames.csv",
+                "timing.csv",
+                "config.yaml",
+                "camera_estimated.yaml",
+                "environment.json",
+                "trajectory.png",
+                "summary.json"};
+  plan.numbered_prefix = kSegmentPrefix;
+  plan.numbered_suffix = kSegmentSuffix;
+  plan.checkpoint = kCheckpointFolder;
+  plan.replaces_foreign = replaces_foreign;
+  return plan;
+}
+
+void StageResults(const RunArguments& arguments, const RunInputs& inputs, const RunRecord& record,
+                  const RunSummary& summary, const OutputFolder& output) {
   WriteTrajectories(record.trajectory, output);
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(arguments, record, output);
@@ -150,7 +140,22 @@ void WriteResults(const RunArguments& arguments, const RunInputs& inputs, const 
     spdlog::warn(
         "trajectory.png was not written: gnuplot is missing or failed (Debian: gnuplot-nox)");
   }
-  output.Commit(FileNames(output));
+}
+
+fs::path CommitResults(const RunEnd& end, const fs::path& folder, OutputFolder& output) {
+  if (!end.is_complete() && output.HoldsCompleteResult()) {
+    output.CommitAsCheckpoint(false);
+    return output.checkpoint();
+  }
+  try {
+    output.Commit(end.is_complete());
+  } catch (const std::exception& error) {
+    if (output.is_torn()) throw;
+    output.CommitAsCheckpoint(end.is_complete());
+    throw Error(fmt::format("{}; the result of this run is in {}", error.what(),
+                            output.checkpoint().string()));
+  }
+  return folder;
 }
 
 }  // namespace corvo

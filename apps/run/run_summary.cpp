@@ -84,9 +84,12 @@ std::optional<MatchResiduals> Measure(const Odometry& odometry) {
 }
 
 /// Collects and logs what is doubtful about the result.
-void Warn(const Map& map, RunSummary& summary) {
+void Warn(const RunRecord& record, RunSummary& summary) {
+  const Map& map = record.odometry.map();
   for (const std::string& warning :
-       {ScaleWarning(summary.uncertain_scale), BlurWarning(summary.num_blurred, summary.num_frames),
+       {MissingImageWarning(Reason::kUnreadableImage, summary.reasons, record.first_errors),
+        MissingImageWarning(Reason::kWrongSize, summary.reasons, record.first_errors),
+        ScaleWarning(summary.uncertain_scale), BlurWarning(summary.num_blurred, summary.num_frames),
         ResidualWarning(summary.residuals), FocalLengthWarning(summary.check, map.camera().fx()),
         ContradictionWarning(summary.calibration)}) {
     if (warning.empty()) continue;
@@ -172,8 +175,18 @@ Json ToJson(const std::vector<FrameRange>& ranges) {
   return json;
 }
 
+void AddEndJson(const RunSummary& summary, Json& json) {
+  const bool is_complete = summary.end.is_complete();
+  json["complete"] = is_complete;
+  if (!is_complete) json["ended_by"] = summary.end.why;
+  json["outcome"] = is_complete ? ToString(summary.outcome) : "incomplete";
+  json["exit_code"] = is_complete ? static_cast<int>(summary.outcome) : summary.end.exit_code;
+}
+
 void AddCountsJson(const RunSummary& summary, Json& json) {
   json["frames"] = summary.num_frames;
+  json["frames_expected"] = nullptr;
+  if (summary.num_expected) json["frames_expected"] = *summary.num_expected;
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
   json["rotations"] = summary.num_rotations;
@@ -199,6 +212,8 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   const Map& map = record.odometry.map();
   RunSummary summary;
   summary.outcome = JudgeOutcome(trajectory);
+  summary.end = record.end;
+  summary.num_expected = inputs.source.size();
   CountFrames(trajectory, summary);
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
@@ -209,7 +224,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   summary.uncertain_scale = UncertainScaleRanges(trajectory);
   summary.num_blurred = CountBlurredFrames(trajectory);
-  Warn(map, summary);
+  Warn(record, summary);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
     options.max_dt_ns = MaxDt(arguments);
@@ -222,8 +237,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
 
 Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSummary& summary) {
   Json json;
-  json["outcome"] = ToString(summary.outcome);
-  json["exit_code"] = static_cast<int>(summary.outcome);
+  AddEndJson(summary, json);
   json["input"] = arguments.input.string();
   json["layout"] = inputs.source.list().layout;
   AddInputJson(arguments, json);

@@ -23,7 +23,9 @@ namespace corvo {
 /// The figures of a run. They do not depend on the machine or on timing.
 struct RunSummary {
   Outcome outcome = Outcome::kDone;
+  RunEnd end;
   int num_frames = 0;
+  std::optional<int> num_expected;  ///< Number of selected images, if it is known.
   int num_posed = 0;
   int num_rotations = 0;          ///< Number of frames with a rotation, with or without a pose.
   int num_repeated = 0;           ///< Number of frames whose image repeats that of an earlier one.

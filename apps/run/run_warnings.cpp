@@ -20,6 +20,15 @@ std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory) {
   return ranges;
 }
 
+std::string MissingImageWarning(Reason reason, const std::map<Reason, int>& counts,
+                                const std::map<Reason, std::string>& first_errors) {
+  const auto count = counts.find(reason);
+  const auto error = first_errors.find(reason);
+  if (count == counts.end() || error == first_errors.end()) return "";
+  return fmt::format("{} image{} not used ({}), the first: {}", count->second,
+                     count->second == 1 ? " was" : "s were", ToString(reason), error->second);
+}
+
 std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
   constexpr std::size_t kMaxRanges = 5;
   if (ranges.empty()) return "";

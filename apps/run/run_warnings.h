@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ int CountBlurredFrames(const Trajectory& trajectory);
 
 // Each function returns a warning about a finished run, or an empty string.
 
+/// Warns of images that are missing for one reason, and names the first.
+std::string MissingImageWarning(Reason reason, const std::map<Reason, int>& counts,
+                                const std::map<Reason, std::string>& first_errors);
 std::string ScaleWarning(const std::vector<FrameRange>& ranges);
 /// Warns if more than a tenth of the frames are blurred.
 std::string BlurWarning(int num_blurred, int num_frames);

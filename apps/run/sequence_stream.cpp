@@ -15,7 +15,7 @@ class SequenceStream : public ImageStream {
   std::optional<StreamImage> Next() override {
     std::optional<TimedImage> next = source_.Next();
     if (!next) return std::nullopt;
-    return StreamImage{next->image, next->time_ns, next->mask, next->name};
+    return StreamImage{next->image, next->time_ns, next->mask, next->name, next->missing};
   }
   bool Skip() override { return source_.Skip(); }
   /// Returns std::nullopt for a video, whose length is unknown until its end.

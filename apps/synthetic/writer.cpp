@@ -19,9 +19,12 @@ namespace fs = std::filesystem;
 constexpr const char* kMarker = "synthetic.yaml";
 
 void WriteImage(const fs::path& file, const cv::Mat& image) {
-  if (!cv::imwrite(file.string(), image)) {
-    throw Error(fmt::format("{}: cannot be written", file.string()));
+  // Unlike cv::imwrite(), WriteText() notices a full disk.
+  std::vector<std::uint8_t> bytes;
+  if (!cv::imencode(".png", image, bytes)) {
+    throw Error(fmt::format("{}: cannot be encoded", file.string()));
   }
+  WriteText(file, {bytes.begin(), bytes.end()});
 }
 
 /// Returns the time in seconds with all nine decimals: 0.033333333.

@@ -68,7 +68,7 @@ TEST_F(Calibrate, ErrorsNameTheInvalidInput) {
   WriteImage(folder_ / "large/0.png", TinyImage(0, 128, 96));
   ExpectError(RunCorvo({"calibrate", "camera:97", "-o", camera_}), "camera:97: is a live camera");
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", "-o", folder_ / "noise"}),
-              "is a folder; the camera is written to a file");
+              "is a folder; the output is written to a file");
   ExpectError(RunCorvo({"calibrate", folder_ / "noise", folder_ / "large", "-o", camera_}),
               "0.png: the image is 128 x 96 px, others 96 x 64 px");
   EXPECT_THAT(RunCorvo({"calibrate", folder_ / "noise", "-o", camera_, "--model", "omni"}).err,

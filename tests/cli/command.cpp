@@ -98,10 +98,10 @@ CommandResult RunProgram(const std::string& program, const std::vector<std::stri
 }
 
 CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
-                             const std::filesystem::path& file) {
+                             const std::filesystem::path& file, int signal) {
   Process process(CORVO_COMMAND, arguments, environ, "");
   while (!process.HasEnded() && !std::filesystem::exists(file)) usleep(1000);
-  if (!process.HasEnded()) kill(process.id(), SIGINT);
+  if (!process.HasEnded()) kill(process.id(), signal);
   return process.Wait();
 }
 

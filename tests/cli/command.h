@@ -24,9 +24,9 @@ CommandResult RunCorvoAlone(const std::vector<std::string>& arguments);
 CommandResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                          std::vector<std::string> environment);
 
-/// Runs `corvo` and sends it SIGINT, as Ctrl-C does, as soon as `file` exists.
+/// Runs `corvo` and sends it a signal as soon as `file` exists. Ctrl-C sends SIGINT.
 CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
-                             const std::filesystem::path& file);
+                             const std::filesystem::path& file, int signal);
 
 /// Runs `corvo` with a terminal as standard error; `err` is the output there.
 CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments);

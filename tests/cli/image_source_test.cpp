@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "apps/dataset/image_layouts.h"
+#include "apps/output/manifest.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 
@@ -207,11 +208,75 @@ TEST(ImageSource, ReturnsEveryImageOnce) {
   EXPECT_FALSE(source.Next());
 }
 
-TEST(ImageSource, ErrorNamesAnUnreadableImage) {
+TEST(ImageSource, ReturnsAnUnreadableImageAsMissing) {
   TempFolder folder;
+  test::WriteFolder(folder.path(), 6);
   WriteText(folder / "0.png", "garbage");
+  WriteText(folder / "4.png", "");
+  ImageSource source(ListImages(folder.path(), kFrameRate), {0, 2, {}});
+  EXPECT_EQ(source.First().index, 2) << "the first that can be read";
+  std::vector<TimedImage> images;
+  while (auto next = source.Next()) images.push_back(std::move(*next));
+  ASSERT_EQ(images.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(images[i].index, 2 * i);
+    EXPECT_EQ(images[i].time_ns, ListImages(folder.path(), kFrameRate).images[2 * i].time_ns);
+    EXPECT_EQ(images[i].missing, i == 1 ? Reason::kNone : Reason::kUnreadableImage);
+    EXPECT_EQ(images[i].image.empty(), i != 1);
+  }
+  EXPECT_THAT(images[2].error, HasSubstr("4.png: not a readable image"));
+}
+
+TEST(ImageSource, ReturnsAnImageOfAnotherSizeAsMissing) {
+  TempFolder folder;
+  test::WriteFolder(folder.path(), 3);
+  test::WriteImage(folder / "0.png", TinyImage(0, 80, 60));
   ImageSource source(ListImages(folder.path(), kFrameRate));
-  EXPECT_THAT(ErrorOf([&] { source.Next(); }), HasSubstr("0.png: not a readable image"));
+  const cv::Size size(test::kTinyWidth, test::kTinyHeight);
+  source.Prepare({size, size, MaskSource()});
+  const auto first = source.Next();
+  EXPECT_EQ(first->missing, Reason::kWrongSize);
+  EXPECT_THAT(first->error, HasSubstr("0.png: the image is 80 x 60 px, the camera 96 x 64 px"));
+  EXPECT_EQ(source.Next()->missing, Reason::kNone);
+  EXPECT_THAT(ErrorOf([&] {
+                source.Prepare({{50, 50}, {50, 50}, MaskSource()});
+              }),
+              HasSubstr("96 x 64 px, the camera 50 x 50 px"));
+}
+
+TEST(ImageSource, ErrorNamesAnUnreadableImageIfAllAreRequiredOrNoneIsReadable) {
+  TempFolder folder;
+  test::WriteFolder(folder.path(), 2);
+  WriteText(folder / "0.png", "garbage");
+  ImageSource strict(ListImages(folder.path(), kFrameRate));
+  strict.RequireAll();
+  EXPECT_THAT(ErrorOf([&] { strict.Next(); }), HasSubstr("0.png: not a readable image"));
+  WriteText(folder / "1.png", "garbage");
+  ImageSource source(ListImages(folder.path(), kFrameRate));
+  EXPECT_THAT(ErrorOf([&] { source.First(); }),
+              HasSubstr("0.png: not a readable image (none of 2 images can be read)"));
+}
+
+TEST(ImageSource, DoesNotReadWhatCorvoWrote) {
+  TempFolder folder;
+  test::WriteFolder(folder.path(), 2);
+  test::WriteImage(folder / "trajectory.png", TinyImage(9));
+  test::WriteImage(folder / "users.png", TinyImage(9));
+  const auto names = [](const ImageList& list) {
+    std::vector<std::string> found;
+    for (const TimedFile& image : list.images) found.push_back(image.file.filename());
+    return found;
+  };
+  EXPECT_EQ(ListImages(folder.path(), kFrameRate).images.size(), 4u);
+  const Manifest manifest{true, {Describe(folder / "trajectory.png")}};
+  for (const char* name : {"manifest.json", ".camera.yaml.manifest.json"}) {
+    WriteText(folder / name, ToText(manifest));
+    EXPECT_THAT(names(ListImages(folder.path(), kFrameRate)),
+                testing::ElementsAre("0.png", "1.png", "users.png"));
+    EXPECT_THAT(names(ListImages(folder / "*.png", kFrameRate)),
+                testing::ElementsAre("0.png", "1.png", "users.png"));
+    std::filesystem::remove(folder / name);
+  }
 }
 
 }  // namespace

@@ -67,14 +67,16 @@ TEST_F(Learn, PatternDoesNotDependOnThreadsOrImageOrder) {
   EXPECT_EQ(ReadText(again), ReadText(pattern_));
 }
 
-TEST_F(Learn, EarlierFileIsReplacedOnlyOnSuccess) {
+TEST_F(Learn, EarlierFileIsReplacedOnlyOnRequestAndOnSuccess) {
   WriteText(pattern_, "precious");
-  EXPECT_EQ(RunLearn({folder_ / "none.png", "-o", pattern_}).exit_code, kBadInput);
+  EXPECT_THAT(RunLearn({images_, "-o", pattern_}).err, HasSubstr("pattern.inc: not written by"));
+  EXPECT_EQ(RunLearn({folder_ / "none.png", "-o", pattern_, "--force"}).exit_code, kBadInput);
   EXPECT_EQ(ReadText(pattern_), "precious");
-  EXPECT_EQ(RunLearn({images_, "-o", pattern_}).exit_code, 0);
+  EXPECT_EQ(RunLearn({images_, "-o", pattern_, "--force"}).exit_code, 0);
   EXPECT_NO_THROW(orb::ReadPattern(pattern_));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 2)
-      << "nothing else is left behind";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 3)
+      << "only a manifest beside it";
+  EXPECT_EQ(RunLearn({images_, "-o", pattern_}).exit_code, 0) << "its own file";
 }
 
 TEST_F(Learn, ShowsAProgressBarOnATerminal) {

@@ -45,6 +45,20 @@ TEST(JudgeOutcome, IsLostAfterAGapOrInSeveralSegments) {
   EXPECT_EQ(JudgeOutcome({{Posed(0), Posed(1)}}), Outcome::kLost);
 }
 
+TEST(JudgeOutcome, IsDoneIfOnlyImagesAreMissing) {
+  const FrameResult missing = Unposed(State::kLost, Reason::kUnreadableImage);
+  EXPECT_EQ(JudgeOutcome({{Posed(0), missing, Posed(0)}}), Outcome::kDone);
+  EXPECT_EQ(JudgeOutcome({{missing, missing}}), Outcome::kNeverInitialized);
+  EXPECT_EQ(JudgeOutcome({{Posed(0), missing, kLost, Posed(0)}}), Outcome::kLost);
+}
+
+TEST(MissingImageWarning, CountsAndNamesTheFirst) {
+  const std::map<Reason, std::string> errors = {{Reason::kWrongSize, "7.png: 3 x 4 px"}};
+  EXPECT_EQ(MissingImageWarning(Reason::kWrongSize, {{Reason::kWrongSize, 2}}, errors),
+            "2 images were not used (wrong_size), the first: 7.png: 3 x 4 px");
+  EXPECT_EQ(MissingImageWarning(Reason::kUnreadableImage, {{Reason::kWrongSize, 2}}, errors), "");
+}
+
 TEST(Advice, IsGivenForEveryReason) {
   for (int reason = 0; ToString(static_cast<Reason>(reason)) != "unknown"; ++reason) {
     EXPECT_FALSE(Advice(static_cast<Reason>(reason)).empty())

@@ -126,7 +126,8 @@ TEST_F(Pipeline, WritesMetersAndDrawsTracks) {
   const auto summary = nlohmann::json::parse(ReadText(scaled / "summary.json"));
   EXPECT_EQ(summary["meters_per_unit"], 4.0);
   const fs::path images = *folder_ / "tracks";
-  EXPECT_EQ(std::distance(fs::directory_iterator(images), fs::directory_iterator()), kFrames);
+  EXPECT_EQ(std::distance(fs::directory_iterator(images), fs::directory_iterator()), kFrames + 1)
+      << "and the manifest";
 }
 
 TEST_F(Pipeline, WritesTheEstimatedCameraWithStandardDeviations) {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "apps/output/manifest.h"
 #include "tests/cli/example_folder.h"
 #include "tests/data/data_path.h"
 
@@ -41,6 +42,17 @@ class ReadmeCommands : public testing::TestWithParam<const char*> {
     fs::copy_file(truth, result / "trajectory.tum", fs::copy_options::overwrite_existing);
     fs::copy_file(truth, result / "rotations.tum", fs::copy_options::overwrite_existing);
     WriteText(result / "trajectory.kitti", "");
+    WriteManifest(result);
+  }
+
+  /// Writes a manifest of the files as they are.
+  static void WriteManifest(const fs::path& result) {
+    Manifest manifest;
+    fs::remove(result / kManifestName);
+    for (const fs::directory_entry& entry : fs::directory_iterator(result)) {
+      if (entry.is_regular_file()) manifest.files.push_back(Describe(entry.path()));
+    }
+    WriteText(result / kManifestName, ToText(manifest));
   }
 
   /// Checks that the files in an evo command exist. evo_test.cpp runs evo itself.

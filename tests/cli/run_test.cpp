@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <map>
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/run/run_results.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
@@ -24,7 +27,6 @@ using ::testing::StartsWith;
 
 constexpr int kBadInput = 1;
 constexpr int kNeverInitialized = 2;
-constexpr int kInterrupted = 130;
 
 const char* const kCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
@@ -65,6 +67,8 @@ class Run : public testing::Test {
   nlohmann::json Summary() const {
     return nlohmann::json::parse(ReadText(result_ / "summary.json"));
   }
+
+  fs::path Checkpoint() const { return result_ / kCheckpointFolder; }
 
   TempFolder folder_;
   const fs::path images_ = folder_ / "images";
@@ -340,9 +344,121 @@ TEST_F(Run, ErrorsNameTheInvalidInput) {
   EXPECT_FALSE(fs::exists(result_));
 }
 
-TEST_F(Run, ErrorNamesAnImageOfTheWrongSize) {
+TEST_F(Run, ErrorNamesACameraOfAnotherSize) {
+  for (int i = 0; i < 5; ++i) {
+    WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 80, 60));
+  }
+  ExpectError(RunHere(), "0.png: the image is 80 x 60 px, the camera 96 x 64 px");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Run, MissingImagesAreFramesWithoutAPose) {
+  WriteText(images_ / "0.png", "garbage");
   WriteImage(images_ / "3.png", TinyImage(3, 80, 60));
-  ExpectError(RunHere(), "3.png: the image is 80 x 60 px, the camera 96 x 64 px");
+  const CommandResult result = RunHere({"--fps", "10"});
+  EXPECT_EQ(result.exit_code, kNeverInitialized);
+  const std::string table = ReadText(result_ / "frames.csv");
+  EXPECT_THAT(table, AllOf(HasSubstr("\n0,0.000000000,initializing,unreadable_image,"),
+                           HasSubstr("\n3,0.300000000,initializing,wrong_size,")));
+  EXPECT_EQ(CountLines(table), 6);
+  EXPECT_EQ(CountLines(ReadText(result_ / "timing.csv")), 6);
+  EXPECT_EQ(Summary()["complete"], true);
+  EXPECT_EQ(Summary()["reasons"]["wrong_size"], 1);
+  ASSERT_EQ(Summary()["warnings"].size(), 2u);
+  EXPECT_THAT(Summary()["warnings"][0],
+              HasSubstr("1 image was not used (unreadable_image), the first: "));
+  EXPECT_THAT(result.err, HasSubstr("3.png: the image is 80 x 60 px, the camera 96 x 64 px"));
+}
+
+TEST_F(Run, FindsTheCameraAlthoughTheFirstImageIsMissing) {
+  WriteText(images_ / "0.png", "");
+  const CommandResult result = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
+  EXPECT_EQ(result.exit_code, kNeverInitialized) << result.err;
+  EXPECT_EQ(Summary()["camera"]["width"], 96);
+  EXPECT_EQ(Summary()["reasons"]["unreadable_image"], 1);
+}
+
+TEST_F(Run, WithoutAReadableImageIsAnError) {
+  for (int i = 0; i < 5; ++i) WriteText(images_ / (std::to_string(i) + ".png"), "garbage");
+  ExpectError(RunHere(), "0.png: not a readable image (none of 5 images can be read)");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
+TEST_F(Run, AnErrorLeavesThePartialResult) {
+  WriteText(images_ / "3.png", "garbage");
+  ExpectError(RunHere({"--strict"}), "3.png: not a readable image, after 3 of 5 frames");
+  EXPECT_EQ(Summary()["complete"], false);
+  EXPECT_THAT(Summary()["ended_by"], HasSubstr("3.png: not a readable image"));
+  EXPECT_EQ(Summary()["outcome"], "incomplete");
+  EXPECT_EQ(Summary()["exit_code"], kBadInput);
+  EXPECT_EQ(Summary()["frames"], 3);
+  EXPECT_EQ(Summary()["frames_expected"], 5);
+  EXPECT_EQ(CountLines(ReadText(result_ / "frames.csv")), 4);
+  EXPECT_EQ(RunHere().exit_code, kNeverInitialized) << "replaces the partial result";
+  EXPECT_EQ(Summary()["frames"], 5);
+}
+
+TEST_F(Run, NeverReplacesTheUsersFiles) {
+  WriteText(images_ / "groundtruth.tum", "my trajectory");
+  WriteText(images_ / "config.yaml", "my: options");
+  const std::vector<std::string> arguments = {"run", images_, "--camera", camera_, "-o", images_};
+  ExpectError(RunCorvo(arguments), "images: groundtruth.tum, config.yaml: not written by");
+  EXPECT_EQ(ReadText(images_ / "config.yaml"), "my: options");
+  EXPECT_EQ(ReadText(images_ / "groundtruth.tum"), "my trajectory");
+  EXPECT_EQ(std::distance(fs::directory_iterator(images_), fs::directory_iterator()), 7);
+  std::vector<std::string> forced = arguments;
+  forced.emplace_back("--force");
+  EXPECT_EQ(RunCorvo(forced).exit_code, kNeverInitialized);
+  EXPECT_THAT(ReadText(images_ / "config.yaml"), HasSubstr("extractor:"));
+}
+
+TEST_F(Run, OutputInsideTheInputDoesNotBecomeInput) {
+  for (const fs::path& output : {images_, images_ / "out"}) {
+    for (int i = 0; i < 2; ++i) {
+      const CommandResult result =
+          RunCorvo({"run", images_, "--camera", camera_, "-o", output, "--draw", images_});
+      EXPECT_THAT(result.out, HasSubstr("5 frames")) << output << result.err;
+    }
+  }
+}
+
+TEST_F(Run, WritesNamesThatAreNotUtf8) {
+  const fs::path input = folder_ / "gr\xfcn";
+  WriteFolder(input, 3);
+  const CommandResult result = RunCorvo({"run", input, "--camera", camera_, "-o", input / "r\xe9"});
+  EXPECT_EQ(result.exit_code, kNeverInitialized) << result.err;
+  const auto summary = nlohmann::json::parse(ReadText(input / "r\xe9/summary.json"));
+  EXPECT_THAT(summary["input"], HasSubstr("gr\xEF\xBF\xBDn"));
+}
+
+TEST_F(Run, ReportsThatStandardOutputCannotBeWritten) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const auto run = [](const std::string& arguments) {
+    return RunProgram("/bin/sh", {"-c", CORVO_COMMAND + arguments + " > /dev/full"},
+                      {"PATH=/usr/bin:/bin"});
+  };
+  for (const std::string& arguments :
+       {" run " + images_.string() + " --camera " + camera_.string() + " -o " + result_.string(),
+        std::string(" config"), std::string(" --help"), std::string(" run --help")}) {
+    const CommandResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, kBadInput) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("corvo: error: the standard output cannot be written: "));
+  }
+  EXPECT_EQ(Summary()["complete"], true);
+}
+
+/// A program in the place of gnuplot succeeds like gnuplot on a full disk.
+TEST_F(Run, RejectsAPlotThatIsNotWhole) {
+  const fs::path gnuplot = folder_ / "bin/gnuplot";
+  WriteText(gnuplot, "#!/bin/sh\nprintf '\\211PNG\\r\\n'\n");
+  fs::permissions(gnuplot, fs::perms::owner_all);
+  const CommandResult result =
+      RunProgram(CORVO_COMMAND, {"run", images_, "--camera", camera_, "-o", result_},
+                 {"PATH=" + gnuplot.parent_path().string()});
+  ExpectError(result, "trajectory.png: cannot be written in full; only the trajectory is in " +
+                          Checkpoint().string());
+  EXPECT_TRUE(fs::exists(Checkpoint() / "trajectory.tum"));
+  EXPECT_FALSE(fs::exists(result_ / "trajectory.png"));
 }
 
 TEST_F(Run, ReadsTheSelectedImages) {
@@ -387,29 +503,105 @@ TEST_F(Run, LeavesEarlierResultsUntouchedWhenItFails) {
     before[entry.path()] = ReadText(entry.path());
   }
   WriteText(images_ / "4.png", "garbage");
-  ExpectError(RunHere(), "4.png: not a readable image");
+  ExpectError(RunHere({"--strict"}), "the partial result is in " + Checkpoint().string());
   std::map<fs::path, std::string> after;
   for (const auto& entry : fs::directory_iterator(result_)) {
-    after[entry.path()] = ReadText(entry.path());
+    if (entry.is_regular_file()) after[entry.path()] = ReadText(entry.path());
   }
   EXPECT_EQ(before, after);
 }
 
-TEST_F(Run, LeavesEarlierResultsUntouchedWhenItIsInterrupted) {
-  WriteText(result_ / "trajectory.tum", "precious");
-  const cv::Mat image = TinyImage(0, 640, 480);
-  WriteImage(folder_ / "many/0.png", image);
-  for (int i = 1; i < 500; ++i) {
-    fs::create_hard_link(folder_ / "many/0.png", folder_ / "many" / (std::to_string(i) + ".png"));
+class RunInterrupted : public Run, public testing::WithParamInterface<int> {
+ protected:
+  RunInterrupted() {
+    const cv::Mat image = TinyImage(0, 640, 480);
+    WriteImage(many_ / "0.png", image);
+    for (int i = 1; i < 500; ++i) {
+      fs::create_hard_link(many_ / "0.png", many_ / (std::to_string(i) + ".png"));
+    }
   }
-  const CommandResult result = InterruptCorvo(
-      {"run", folder_ / "many", "--camera", SourceDir() / "configs/7scenes.yaml", "-o", result_},
-      result_ / ".corvo-unfinished");
-  EXPECT_EQ(result.exit_code, kInterrupted);
+
+  CommandResult InterruptHere(const fs::path& when) const {
+    return InterruptCorvo(
+        {"run", many_, "--camera", SourceDir() / "configs/7scenes.yaml", "-o", result_}, when,
+        GetParam());
+  }
+
+  const fs::path many_ = folder_ / "many";
+};
+
+TEST_P(RunInterrupted, LeavesThePartialResultAndSaysWhy) {
+  const CommandResult result = InterruptHere(result_ / ".corvo-unfinished");
+  EXPECT_EQ(result.exit_code, 128 + GetParam());
   EXPECT_THAT(result.out, IsEmpty());
-  EXPECT_THAT(result.err, HasSubstr("corvo: error: interrupted after "));
-  EXPECT_EQ(ReadText(result_ / "trajectory.tum"), "precious");
-  EXPECT_EQ(std::distance(fs::directory_iterator(result_), fs::directory_iterator()), 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("corvo: error: interrupted by SIG"),
+                                HasSubstr("of 500 frames; the partial result is in ")));
+  EXPECT_EQ(Summary()["complete"], false);
+  EXPECT_THAT(Summary()["ended_by"], StartsWith("interrupted by SIG"));
+  EXPECT_EQ(Summary()["exit_code"], 128 + GetParam());
+  EXPECT_EQ(Summary()["frames_expected"], 500);
+  EXPECT_EQ(CountLines(ReadText(result_ / "frames.csv")), 1 + Summary()["frames"].get<int>());
+  const CommandResult eval = RunCorvo({"eval", result_, result_ / "trajectory.tum"});
+  EXPECT_THAT(eval.err, HasSubstr("warning: " + result_.string() + ": the result is partial"));
+}
+
+TEST_P(RunInterrupted, KeepsACompleteEarlierResult) {
+  RunHere();
+  const std::string earlier = ReadText(result_ / "summary.json");
+  const CommandResult result = InterruptHere(result_ / ".corvo-unfinished");
+  EXPECT_EQ(result.exit_code, 128 + GetParam());
+  EXPECT_EQ(ReadText(result_ / "summary.json"), earlier);
+  const auto partial = nlohmann::json::parse(ReadText(Checkpoint() / "summary.json"));
+  EXPECT_EQ(partial["complete"], false);
+  EXPECT_EQ(partial["frames_expected"], 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, RunInterrupted, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+/// The progress is written to a pipe that nobody reads.
+TEST_F(Run, DoesNotEndWithTheReaderOfItsMessages) {
+  for (int i = 5; i < 250; ++i) {
+    fs::create_hard_link(images_ / "0.png", images_ / (std::to_string(i) + ".png"));
+  }
+  RunProgram("/bin/sh",
+             {"-c", "{ sleep 0.1; exec " CORVO_COMMAND " run " + images_.string() + " --camera " +
+                        camera_.string() + " -o " + result_.string() + " 2>&1; } | true"},
+             {"PATH=/usr/bin:/bin"});
+  while (fs::exists(result_ / ".corvo-unfinished")) usleep(1000);
+  EXPECT_EQ(Summary()["complete"], true);
+  EXPECT_EQ(Summary()["frames"], 250);
+}
+
+TEST_F(Run, IsToldOfAnotherRunIntoItsFolder) {
+  const OutputFolder other(result_, PlanOfRun(false));
+  ExpectError(RunHere(), "result: another corvo is writing into this folder");
+}
+
+TEST_F(Run, ThatWasKilledWhileItPutFilesInPlaceIsFinishedByTheNext) {
+  RunHere();
+  const fs::path work = result_ / ".corvo-unfinished";
+  fs::create_directories(work / "old");
+  fs::create_directories(work / "new");
+  for (const char* name : {"manifest.json", "frames.csv"}) {
+    fs::rename(result_ / name, work / "new" / name);
+    WriteText(work / "old" / name, "of an earlier run");
+  }
+  const CommandResult eval = RunCorvo({"eval", result_, result_ / "trajectory.tum"});
+  EXPECT_THAT(eval.err, HasSubstr("result: the files of two results are mixed"));
+  { const OutputFolder next(result_, PlanOfRun(false)); }
+  EXPECT_THAT(ReadText(result_ / "frames.csv"), StartsWith("index,timestamp"));
+  EXPECT_FALSE(fs::exists(work));
+}
+
+TEST_F(Run, EvalRejectsAChangedFileUnlessItIsNamed) {
+  RunHere();
+  const std::string poses = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 1 0 0 0 0 1\n";
+  WriteText(result_ / "trajectory.tum", poses);
+  const fs::path truth = folder_ / "truth.tum";
+  WriteText(truth, poses);
+  ExpectError(RunCorvo({"eval", result_, truth}),
+              "trajectory.tum: is not the file that the run wrote, according to manifest.json");
+  EXPECT_EQ(RunCorvo({"eval", result_ / "trajectory.tum", truth}).exit_code, 0);
 }
 
 TEST_F(Run, ShowsAProgressBarOnATerminalOnly) {

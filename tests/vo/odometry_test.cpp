@@ -63,6 +63,55 @@ TEST(OdometryTest, ResultIsIdenticalForAnyNumberOfThreads) {
   ExpectIdentical(once, RunDrive(drive, 2));
 }
 
+/// Returns the drive with a frame without an image in the place of each of these.
+Trajectory RunDriveWithout(const std::vector<int>& missing, const std::vector<cv::Mat>& images) {
+  Odometry odometry(test::PinholeCamera());
+  for (int i = 0; i < static_cast<int>(images.size()); ++i) {
+    const TimeNs time_ns = (i + 1) * kFrameTime;
+    if (std::ranges::count(missing, i) == 0) {
+      odometry.Process(images[i], time_ns);
+    } else {
+      const FrameResult frame = odometry.ProcessMissing(time_ns, Reason::kUnreadableImage);
+      EXPECT_EQ(frame.index, i);
+      EXPECT_FALSE(frame.world_from_camera);
+    }
+  }
+  return odometry.Finish();
+}
+
+TEST(OdometryTest, TracksOnAfterMissingImages) {
+  const std::vector<cv::Mat> images = MakeDrive(25, 1);
+  const std::vector<int> missing = {0, 3, 12, 13, 24};
+  const Trajectory trajectory = RunDriveWithout(missing, images);
+  ASSERT_EQ(trajectory.frames.size(), images.size());
+  EXPECT_EQ(trajectory.Segments().size(), 1u);
+  for (int i = 0; i < 25; ++i) {
+    const FrameResult& frame = trajectory.frames[i];
+    const bool is_missing = std::ranges::count(missing, i) > 0;
+    EXPECT_EQ(frame.index, i);
+    EXPECT_EQ(frame.time_ns, (i + 1) * kFrameTime);
+    EXPECT_EQ(frame.world_from_camera.has_value(), !is_missing) << i;
+    EXPECT_EQ(frame.reason, is_missing ? Reason::kUnreadableImage : Reason::kNone) << i;
+  }
+}
+
+TEST(OdometryTest, AnImageCanRepeatTheOneBeforeAMissingOne) {
+  std::vector<cv::Mat> images = MakeDrive(25, 1);
+  images[14] = images[12];
+  const Trajectory trajectory = RunDriveWithout({13}, images);
+  EXPECT_EQ(trajectory.frames[14].repeats, 12);
+  EXPECT_EQ(trajectory.frames[14].world_from_camera, trajectory.frames[12].world_from_camera);
+  EXPECT_TRUE(trajectory.frames[14].world_from_camera);
+}
+
+TEST(OdometryTest, RejectsAMissingImageWithAnotherReasonOrTime) {
+  Odometry odometry(test::PinholeCamera());
+  odometry.ProcessMissing(1, Reason::kWrongSize);
+  EXPECT_THROW(odometry.ProcessMissing(2, Reason::kTooFewInliers), Error);
+  EXPECT_THROW(odometry.ProcessMissing(1, Reason::kWrongSize), Error);
+  EXPECT_EQ(odometry.GetTrajectory().frames.size(), 1u);
+}
+
 TEST(OdometryTest, InterleavedInstancesDoNotAffectEachOther) {
   const std::vector<cv::Mat> first = MakeDrive(15, 3), second = MakeDrive(15, 30);
   Odometry a(test::PinholeCamera()), b(test::PinholeCamera());

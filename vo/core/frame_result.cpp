@@ -45,6 +45,10 @@ std::string_view ToString(Reason reason) {
       return "repeated_image";
     case Reason::kScaleUncertain:
       return "scale_uncertain";
+    case Reason::kUnreadableImage:
+      return "unreadable_image";
+    case Reason::kWrongSize:
+      return "wrong_size";
   }
   return "unknown";
 }

@@ -40,7 +40,14 @@ enum class Reason : std::uint8_t {
   /// Posed, but the scale may have changed here: the images do not explain the change of the speed,
   /// or much of what is matched contradicts the pose. See ScaleMonitor.
   kScaleUncertain,
+  kUnreadableImage,  ///< The image could not be read. Tracking goes on with the next one.
+  kWrongSize,        ///< The image does not have the camera's size and was not used.
 };
+
+/// Returns whether the reason says that a frame has no usable image: kUnreadableImage, kWrongSize.
+constexpr bool IsMissingImage(Reason reason) {
+  return reason == Reason::kUnreadableImage || reason == Reason::kWrongSize;
+}
 
 std::string_view ToString(State state);
 std::string_view ToString(Reason reason);

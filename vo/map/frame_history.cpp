@@ -61,8 +61,19 @@ void FrameHistory::Add(const Frame& frame) {
   if (finest != keypoints.end()) outcome.finest_octave = finest->octave;
 }
 
+int FrameHistory::AddMissing(TimeNs time_ns, Reason reason) {
+  FrameOutcome& outcome = records_.emplace_back().outcome;
+  outcome.index = size() - 1;
+  outcome.time_ns = time_ns;
+  outcome.reason = reason;
+  return outcome.index;
+}
+
 int FrameHistory::AddRepeat(TimeNs time_ns) {
-  const FrameOutcome& newest = records_.back().outcome;
+  const auto with_image =
+      std::find_if(records_.rbegin(), records_.rend(),
+                   [](const Record& record) { return !IsMissingImage(record.outcome.reason); });
+  const FrameOutcome newest = with_image->outcome;
   const int original = newest.repeats == kNoId ? newest.index : newest.repeats;
   FrameOutcome& outcome = records_.emplace_back().outcome;
   outcome.index = size() - 1;

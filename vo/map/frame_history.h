@@ -36,6 +36,8 @@ class FrameHistory {
   void CheckNext(TimeNs time_ns) const;
   /// Adds a frame that is not located yet.
   void Add(const Frame& frame);
+  /// Adds a frame without an image. Returns its index.
+  int AddMissing(TimeNs time_ns, Reason reason);
   /// A frame whose image repeats that of the last frame added by Add: it has that one's outcome and
   /// pose, also where these are found or change afterwards. Returns its index.
   int AddRepeat(TimeNs time_ns);

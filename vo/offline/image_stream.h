@@ -9,15 +9,18 @@
 #include <opencv2/core/mat.hpp>
 
 #include "vo/core/conventions.h"
+#include "vo/core/frame_result.h"
 
 namespace corvo {
 
 /// An input image of Odometry::Process().
 struct StreamImage {
-  cv::Mat image;  ///< 8-bit gray.
+  cv::Mat image;  ///< 8-bit gray; ignored if it is missing.
   TimeNs time_ns = 0;
   cv::Mat mask;      ///< Empty, or of the image's size.
   std::string name;  ///< Name of the image in messages.
+  /// Why the image is missing, as for Odometry::ProcessMissing(); kNone if it is not.
+  Reason missing = Reason::kNone;
 };
 
 /// The images of one sequence, read one after the other.

@@ -72,6 +72,7 @@ class PairCollector {
       }
       const std::optional<StreamImage> next = stream->Next();
       if (!next) break;
+      if (next->missing != Reason::kNone) continue;
       if (size_.empty()) size_ = next->image.size();
       CheckSize(*next, size_);
       sequence.Add(i, next->image, next->mask);
@@ -133,6 +134,10 @@ void ProcessStream(ImageStream& stream, int max_images, CalibrationStep step, Pr
     if (!progress.Report(step)) return;
     const std::optional<StreamImage> next = stream.Next();
     if (!next) break;
+    if (next->missing != Reason::kNone) {
+      odometry.ProcessMissing(next->time_ns, next->missing);
+      continue;
+    }
     CheckSize(*next, {odometry.camera().width(), odometry.camera().height()});
     odometry.Process(next->image, next->time_ns, next->mask);
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace corvo {
+
+/// Writes a file. Throws corvo::Error naming it and the reason if it cannot be written in full.
+void WriteFile(const std::filesystem::path& file, std::string_view content);
+
+/// Waits until the disk holds a file or the entries of a folder. Throws corvo::Error if it cannot.
+void Flush(const std::filesystem::path& file);
+
+/// Renames a file or folder, replacing a file or an empty folder. Throws corvo::Error if it cannot.
+void Move(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Puts the folder `from` in the place of the folder `to`, in one step if `to` does not exist or
+/// the file system can exchange folders; an earlier `to` is removed. Throws corvo::Error if it
+/// cannot.
+void ReplaceFolder(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace corvo

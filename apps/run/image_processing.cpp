@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "apps/run/image_processing.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "apps/run/progress.h"
+#include "apps/run/progress_line.h"
+#include "apps/run/stopwatch.h"
+
+namespace corvo {
+namespace {
+
+constexpr int kFailed = 1;
+
+/// Returns an empty record whose odometry reports to it.
+RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
+  RunRecord record(Odometry(inputs.camera, inputs.options, arguments.threads));
+  record.odometry.SetLandmarkCallback(
+      [finished = record.finished.get()](const MarginalizedLandmark& landmark) {
+        finished->Add(landmark);
+      });
+  if (arguments.refine) record.odometry.SetObservationCallback(record.observations.Callback());
+  return record;
+}
+
+RunEnd EndBySignal(int signal) {
+  return {fmt::format("interrupted by {}", SignalName(signal)), ExitCodeOf(signal)};
+}
+
+FrameResult ProcessImage(const TimedImage& image, RunRecord& record) {
+  if (image.missing == Reason::kNone) {
+    return record.odometry.Process(image.image, image.time_ns, image.mask);
+  }
+  record.first_errors.try_emplace(image.missing, image.error);
+  return record.odometry.ProcessMissing(image.time_ns, image.missing);
+}
+
+/// The processing of the images of one run.
+class ImageLoop {
+ public:
+  ImageLoop(const RunInputs& inputs, TrackDrawings& drawings, Checkpoint& checkpoint)
+      : progress_(inputs.source.size().value_or(0)), drawings_(drawings), checkpoint_(checkpoint) {}
+
+  /// Processes images until their end or a signal.
+  void Run(ImageSource& source, const Interruption& interruption, RunRecord& record) {
+    while (const std::optional<TimedImage> next = source.Next()) {
+      Process(*next, record);
+      const int signal = interruption.PendingSignal();
+      if (signal == 0) continue;
+      // The sequence of a live camera ends when the user stops it.
+      if (!source.is_live()) record.end = EndBySignal(signal);
+      return;
+    }
+  }
+
+ private:
+  void Process(const TimedImage& next, RunRecord& record) {
+    FrameTiming timing;
+    timing.read_ms = watch_.LapMs();
+    const FrameResult frame = ProcessImage(next, record);
+    timing.total_ms = watch_.LapMs();
+    timing.stages = record.odometry.last_times();
+    record.timings.push_back(timing);
+    if (next.missing == Reason::kNone) {
+      drawings_.Add(next.image, record.odometry.last_mask(), record.odometry.last_frame(), frame);
+    }
+    progress_.Add(frame);
+    checkpoint_.Update(record.odometry);
+    watch_.LapMs();
+  }
+
+  ProgressReport progress_;
+  TrackDrawings& drawings_;
+  Checkpoint& checkpoint_;
+  Stopwatch watch_;
+};
+
+/// Refines the recorded sequence as a whole and shows the progress. Interrupted, leaves the record
+/// unrefined.
+void RefineRecord(const Interruption& interruption, bool is_live, RunRecord& record) {
+  ProgressLine line;
+  const auto is_interrupted = [&] { return interruption.IsRequested() && !is_live; };
+  Refinement refinement = Refine(record.odometry, record.observations, {}, [&](double share) {
+    line.Show(share, "refining");
+    return !is_interrupted();
+  });
+  if (is_interrupted()) {
+    record.end = EndBySignal(interruption.PendingSignal());
+    record.end.why += " before the trajectory was refined";
+    return;
+  }
+  record.trajectory = refinement.trajectory;
+  record.refinement = std::move(refinement);
+}
+
+}  // namespace
+
+RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& interruption,
+                          RunInputs& inputs, TrackDrawings& drawings, Checkpoint& checkpoint) {
+  RunRecord record = MakeRecord(inputs, arguments);
+  Stopwatch watch;
+  try {
+    ImageLoop(inputs, drawings, checkpoint).Run(inputs.source, interruption, record);
+  } catch (const std::exception& error) {
+    if (record.timings.empty()) throw;
+    record.end = {error.what(), kFailed};
+  }
+  record.trajectory = record.odometry.Finish();
+  if (arguments.refine && record.end.is_complete()) {
+    RefineRecord(interruption, inputs.source.is_live(), record);
+  }
+  record.trajectory = Scale(arguments.meters_per_unit.value_or(1), std::move(record.trajectory));
+  record.elapsed_s = watch.ElapsedMs() / 1e3;
+  return record;
+}
+
+}  // namespace corvo
