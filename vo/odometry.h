@@ -86,7 +86,7 @@ class Odometry {
   const Map& map() const { return map_; }
 
   /// Sets the callback that is called with each landmark that is marginalized. Such a landmark
-  /// never moves again.
+  /// moves again only if its segment is joined with an earlier one: see ApplyJoins().
   void SetLandmarkCallback(LandmarkCallback callback) {
     recorder_.SetLandmarkCallback(std::move(callback));
   }

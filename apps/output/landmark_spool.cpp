@@ -15,9 +15,11 @@ namespace {
 struct Record {
   std::int32_t id;
   std::int32_t segment;
+  std::int32_t num_joins;
+  std::int32_t unused;
   double x, y, z;
 };
-static_assert(sizeof(Record) == 32);
+static_assert(sizeof(Record) == 40);
 
 [[noreturn]] void Fail() {
   throw Error(fmt::format("temporary file of landmarks: {}", std::strerror(errno)));
@@ -29,7 +31,8 @@ void LandmarkSpool::Add(const MarginalizedLandmark& landmark) {
   if (!file_) file_.reset(std::tmpfile());
   if (!file_) Fail();
   const Eigen::Vector3d& point = landmark.in_world;
-  const Record record{landmark.id, landmark.segment, point.x(), point.y(), point.z()};
+  const Record record{landmark.id, landmark.segment, landmark.num_joins, 0,
+                      point.x(),   point.y(),        point.z()};
   if (std::fseek(file_.get(), 0, SEEK_END) != 0) Fail();
   if (std::fwrite(&record, sizeof record, 1, file_.get()) != 1) Fail();
   ++size_;
@@ -45,7 +48,7 @@ void LandmarkSpool::ForEach(const std::function<void(const MarginalizedLandmark&
   for (int i = 0; i < size_; ++i) {
     Record record;
     if (std::fread(&record, sizeof record, 1, file_.get()) != 1) Fail();
-    visit({record.id, record.segment, {record.x, record.y, record.z}});
+    visit({record.id, record.segment, {record.x, record.y, record.z}, record.num_joins});
   }
 }
 

@@ -1,60 +1,92 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/map_ply.h"
 
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
 #include <fmt/format.h>
+
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
 
-constexpr const char* kLandmarkColor = "160 160 160";
-constexpr const char* kKeyframeColor = "220 30 30";
+static_assert(std::endian::native == std::endian::little, "the files are little-endian");
 
-std::string Vertex(const Eigen::Vector3d& in_world, const char* color, int segment) {
-  return fmt::format("{:.9g} {:.9g} {:.9g} {} {}\n", in_world.x(), in_world.y(), in_world.z(),
-                     color, segment);
+constexpr std::size_t kRecordSize = 3 * sizeof(double) + 3 + 3 * sizeof(std::int32_t);
+
+std::string Header(std::size_t num_vertices) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment corvo map, version 1\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "property int id\nproperty int segment\nproperty int observations\nend_header\n",
+      num_vertices);
 }
 
-std::string Header(int num_vertices) {
-  return fmt::format(
-      "ply\nformat ascii 1.0\ncomment corvo map: landmarks gray, keyframes red\n"
-      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int segment\n"
-      "end_header\n",
-      num_vertices);
+template <typename T>
+void Append(const T& value, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+template <typename T>
+T Take(const char*& bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  bytes += sizeof value;
+  return value;
+}
+
+MapPoint TakePoint(const char*& bytes) {
+  MapPoint point;
+  for (int i = 0; i < 3; ++i) point.in_world[i] = Take<double>(bytes);
+  for (std::uint8_t& channel : point.rgb) channel = Take<std::uint8_t>(bytes);
+  point.id = Take<std::int32_t>(bytes);
+  point.segment = Take<std::int32_t>(bytes);
+  point.num_observations = Take<std::int32_t>(bytes);
+  return point;
+}
+
+std::string ReadBytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) throw Error(fmt::format("{}: cannot be read", file.string()));
+  return bytes;
 }
 
 }  // namespace
 
-std::string MapPly(const LandmarkSpool& finished, const Map& map, double meters_per_unit) {
-  std::string vertices;
-  finished.ForEach([&](const MarginalizedLandmark& landmark) {
-    vertices += Vertex(meters_per_unit * landmark.in_world, kLandmarkColor, landmark.segment);
-  });
-  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
-    const Landmark* landmark = map.FindLandmark(id);
-    if (landmark == nullptr) continue;
-    vertices += Vertex(meters_per_unit * landmark->in_world, kLandmarkColor, landmark->segment);
+std::string ToPly(const std::vector<MapPoint>& points) {
+  std::string bytes = Header(points.size());
+  bytes.reserve(bytes.size() + kRecordSize * points.size());
+  for (const MapPoint& point : points) {
+    for (int i = 0; i < 3; ++i) Append(point.in_world[i], bytes);
+    for (const std::uint8_t channel : point.rgb) Append(channel, bytes);
+    Append(std::int32_t{point.id}, bytes);
+    Append(std::int32_t{point.segment}, bytes);
+    Append(std::int32_t{point.num_observations}, bytes);
   }
-  for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
-    vertices += Vertex(meters_per_unit * map.WorldFromKeyframe(id).translation(), kKeyframeColor,
-                       map.SegmentOf(id));
-  }
-  return Header(finished.size() + map.num_landmarks() + map.num_keyframes()) + vertices;
+  return bytes;
 }
 
-std::string MapPly(const Refinement& refinement, double meters_per_unit) {
-  std::string vertices;
-  int num_vertices = static_cast<int>(refinement.landmarks.size());
-  for (const MarginalizedLandmark& landmark : refinement.landmarks) {
-    vertices += Vertex(meters_per_unit * landmark.in_world, kLandmarkColor, landmark.segment);
+std::vector<MapPoint> ReadMapPly(const std::filesystem::path& file) {
+  const std::string bytes = ReadBytes(file);
+  const std::size_t header_size = bytes.find("end_header\n") + std::strlen("end_header\n");
+  const std::size_t num_points =
+      bytes.size() < header_size ? 0 : (bytes.size() - header_size) / kRecordSize;
+  // The header is fixed but for the number of points, which the size of the file has to confirm.
+  const std::string header = Header(num_points);
+  if (bytes.compare(0, header.size(), header) != 0 ||
+      bytes.size() != header.size() + kRecordSize * num_points) {
+    throw Error(fmt::format("{}: is not the map of a run, or damaged", file.string()));
   }
-  for (const FrameResult& frame : refinement.trajectory.frames) {
-    if (!frame.is_keyframe || !frame.world_from_camera) continue;
-    vertices += Vertex(meters_per_unit * frame.world_from_camera->translation(), kKeyframeColor,
-                       frame.segment);
-    ++num_vertices;
-  }
-  return Header(num_vertices) + vertices;
+  const char* next = bytes.data() + header.size();
+  std::vector<MapPoint> points;
+  points.reserve(num_points);
+  for (std::size_t i = 0; i < num_points; ++i) points.push_back(TakePoint(next));
+  return points;
 }
 
 }  // namespace corvo

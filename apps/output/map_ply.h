@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
-#include "apps/output/landmark_spool.h"
-#include "vo/map/map.h"
-#include "vo/offline/refiner.h"
+#include <Eigen/Core>
+
+#include "vo/core/conventions.h"
 
 namespace corvo {
 
-/// Returns a map as an ASCII PLY point cloud in world coordinates: the removed landmarks and then
-/// the landmarks of the map in order of their ids, gray, followed by the camera centers of the
-/// keyframes, red. Each point has the index of its segment. Coordinates are multiplied by
-/// `meters_per_unit`.
-std::string MapPly(const LandmarkSpool& finished, const Map& map, double meters_per_unit = 1);
+/// A landmark of a finished run.
+struct MapPoint {
+  LandmarkId id = kNoId;
+  int segment = 0;
+  Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
+  std::array<std::uint8_t, 3> rgb = {160, 160, 160};
+  int num_observations = 0;  ///< Number of frames whose observations were recorded.
+};
 
-/// Returns the point cloud of a refined sequence in the same format: its landmarks, then its
-/// keyframes in the order of frames.
-std::string MapPly(const Refinement& refinement, double meters_per_unit = 1);
+/// Returns points as a binary PLY point cloud (little-endian): double x, y, z; uchar red, green,
+/// blue; int id, segment, observations.
+std::string ToPly(const std::vector<MapPoint>& points);
+
+/// Reads the points of ToPly(). Throws corvo::Error if `file` cannot be read or is not such a file.
+std::vector<MapPoint> ReadMapPly(const std::filesystem::path& file);
 
 }  // namespace corvo

@@ -21,7 +21,7 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
       [finished = record.finished.get()](const MarginalizedLandmark& landmark) {
         finished->Add(landmark);
       });
-  if (arguments.refine) record.odometry.SetObservationCallback(record.observations.Callback());
+  record.odometry.SetObservationCallback(record.observations.Callback());
   return record;
 }
 

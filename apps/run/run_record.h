@@ -31,7 +31,7 @@ struct RunRecord {
   Odometry odometry;
   /// Landmarks that were removed from the odometry's map.
   std::unique_ptr<LandmarkSpool> finished = std::make_unique<LandmarkSpool>();
-  ObservationLog observations;           ///< Filled only if refinement is requested.
+  ObservationLog observations;
   std::optional<Refinement> refinement;  ///< Set only if refinement is requested.
   Trajectory trajectory;                 ///< Final estimate, scaled by --meters-per-unit.
   std::vector<FrameTiming> timings;

@@ -8,8 +8,8 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/output/environment.h"
+#include "apps/output/final_map.h"
 #include "apps/output/json_text.h"
-#include "apps/output/map_ply.h"
 #include "apps/output/plot.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
@@ -82,10 +82,12 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
 
 void WriteTables(const RunArguments& arguments, const RunRecord& record,
                  const OutputFolder& output) {
-  const double meters_per_unit = arguments.meters_per_unit.value_or(1);
-  output.Write("map.ply", record.is_refined()
-                              ? MapPly(*record.refinement, meters_per_unit)
-                              : MapPly(*record.finished, record.odometry.map(), meters_per_unit));
+  std::vector<MapPoint> points = record.is_refined()
+                                     ? CollectPoints(*record.refinement)
+                                     : CollectPoints(*record.finished, record.odometry.map());
+  for (MapPoint& point : points) point.in_world *= arguments.meters_per_unit.value_or(1);
+  WriteObservations(record.odometry, record.observations, output.Stage("observations.npy"), points);
+  output.Write("map.ply", ToPly(points));
   output.Write("frames.csv", FrameTable(record.trajectory));
   output.Write("timing.csv", TimingTable(record.timings));
 }
@@ -105,20 +107,11 @@ void WriteJson(const nlohmann::ordered_json& json, const char* name, const Outpu
 
 OutputPlan PlanOfRun(bool replaces_foreign) {
   OutputPlan plan;
-  plan.names = {"trajectory.tum",
-                "trajectory.kitti",
-                "trajectory_euroc.csv",
-                "keyframes.tum",
-                "rotations.tum",
-                "groundtruth.tum",
-                "map.ply",
-                "frames.csv",
-                "timing.csv",
-                "config.yaml",
-                "camera_estimated.yaml",
-                "environment.json",
-                "trajectory.png",
-                "summary.json"};
+  plan.names = {"trajectory.tum",   "trajectory.kitti", "trajectory_euroc.csv",
+                "keyframes.tum",    "rotations.tum",    "groundtruth.tum",
+                "map.ply",          "observations.npy", "frames.csv",
+                "timing.csv",       "config.yaml",      "camera_estimated.yaml",
+                "environment.json", "trajectory.png",   "summary.json"};
   plan.numbered_prefix = kSegmentPrefix;
   plan.numbered_suffix = kSegmentSuffix;
   plan.checkpoint = kCheckpointFolder;

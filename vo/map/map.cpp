@@ -97,6 +97,7 @@ void Map::JoinSegments(const SegmentJoin& join) {
     landmark.view_direction = join.earlier_from_later.rotation() * landmark.view_direction;
     landmark.max_distance *= scale;
   }
+  joins_.push_back(join);
 }
 
 const Landmark* Map::FindLandmark(LandmarkId id) const {
@@ -140,7 +141,7 @@ std::vector<MarginalizedLandmark> Map::MarginalizeKeyframe(KeyframeId id) {
   for (const LandmarkId landmark_id : LandmarksOf(id)) {
     const Landmark& landmark = landmarks_.at(landmark_id);
     if (landmark.track.size() <= 2) {
-      finished.push_back({landmark_id, landmark.segment, landmark.in_world});
+      finished.push_back({landmark_id, landmark.segment, landmark.in_world, num_joins()});
     }
     RemoveTrackElement(landmark_id, id);
   }

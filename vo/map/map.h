@@ -60,6 +60,7 @@ struct MarginalizedLandmark {
   LandmarkId id = kNoId;
   int segment = 0;
   Eigen::Vector3d in_world = Eigen::Vector3d::Zero();
+  int num_joins = 0;  ///< Number of joins of segments before it was marginalized; see ApplyJoins().
 };
 
 /// The merge of a landmark into another.
@@ -103,6 +104,9 @@ class Map {
   /// Returns the number of landmarks that exist.
   int num_landmarks() const { return static_cast<int>(landmarks_.size()); }
   int num_landmark_ids() const { return num_landmark_ids_; }
+  /// Returns the joins of segments, in order of time.
+  const std::vector<SegmentJoin>& joins() const { return joins_; }
+  int num_joins() const { return static_cast<int>(joins_.size()); }
 
   /// Returns whether the keyframe was neither culled nor marginalized.
   bool IsActive(KeyframeId id) const { return keyframes_.count(id) > 0; }
@@ -210,6 +214,7 @@ class Map {
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
   std::deque<Merge> merges_;                 // Entries of merged_into_, in order of time.
   std::deque<KeyframePose> keyframe_poses_;  // Indexed by KeyframeId.
+  std::vector<SegmentJoin> joins_;
   int num_landmark_ids_ = 0;
 };
 

@@ -23,6 +23,7 @@ struct FrameObservations {
   std::vector<Observation> observations;  ///< Pixels and sigmas in single precision.
   std::vector<Eigen::Vector3d> in_world;  ///< Landmark positions; for keyframes only.
   std::vector<LandmarkMerge> merges;      ///< Merges since the previous posed frame.
+  int num_joins = 0;                      ///< Number of joins of segments before; see ApplyJoins().
 };
 
 using ObservationCallback = std::function<void(const FrameObservations&)>;

@@ -36,7 +36,7 @@ void ObservationRecorder::AddMerges(const std::vector<LandmarkMerge>& merges) {
 
 void ObservationRecorder::RecordFrame(const Frame& frame, int segment, const Map& map) {
   if (!observation_callback_) return;
-  FrameObservations observations{frame.index, segment, kNoId, {}, {}, {}};
+  FrameObservations observations{frame.index, segment, kNoId, {}, {}, {}, map.num_joins()};
   AddObservations(frame, map, observations);
   observations.merges.swap(pending_merges_);
   observation_callback_(observations);
@@ -52,7 +52,8 @@ void ObservationRecorder::RecordKeyframe(const Keyframe& keyframe, const Map& ma
     for (const TrackElement& o : landmark.track) {
       if (o.keyframe == keyframe.id) continue;
       const Frame& other = map.keyframe(o.keyframe).frame;
-      const FrameObservations none{other.index, keyframe.segment, o.keyframe, {}, {}, {}};
+      const FrameObservations none{other.index, keyframe.segment, o.keyframe, {}, {},
+                                   {},          map.num_joins()};
       AddObservation(other, o.keypoint, map, last.try_emplace(o.keyframe, none).first->second);
     }
   }
@@ -66,7 +67,8 @@ void ObservationRecorder::RecordLandmarks(
 }
 
 FrameObservations ObservationsOf(const Keyframe& keyframe, const Map& map) {
-  FrameObservations observations{keyframe.frame.index, keyframe.segment, keyframe.id, {}, {}, {}};
+  FrameObservations observations{keyframe.frame.index, keyframe.segment, keyframe.id, {}, {}, {},
+                                 map.num_joins()};
   AddObservations(keyframe.frame, map, observations);
   return observations;
 }

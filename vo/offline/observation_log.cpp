@@ -16,7 +16,7 @@ namespace {
 
 /// The header that precedes the observations, positions and merges of a frame.
 struct Header {
-  std::int32_t frame, segment, keyframe;
+  std::int32_t frame, segment, keyframe, num_joins;
   std::uint32_t num_observations, num_positions, num_merges;
 };
 
@@ -26,7 +26,7 @@ struct StoredObservation {
   float x, y, sigma_px;
 };
 
-static_assert(sizeof(Header) == 24 && sizeof(StoredObservation) == 16);
+static_assert(sizeof(Header) == 28 && sizeof(StoredObservation) == 16);
 static_assert(sizeof(Eigen::Vector3d) == 24 && sizeof(LandmarkMerge) == 8);
 
 [[noreturn]] void Fail() {
@@ -52,7 +52,7 @@ class ObservationLog::File {
     Open();
     std::vector<StoredObservation> observations;
     for (const Observation& o : frame.observations) observations.push_back(Store(o));
-    const std::vector<Header> header{{frame.frame, frame.segment, frame.keyframe,
+    const std::vector<Header> header{{frame.frame, frame.segment, frame.keyframe, frame.num_joins,
                                       SizeOf(observations), SizeOf(frame.in_world),
                                       SizeOf(frame.merges)}};
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) Fail();
@@ -68,7 +68,8 @@ class ObservationLog::File {
     std::rewind(file_.get());
     for (int i = 0; i < size_; ++i) {
       const Header header = Read<Header>(1).front();
-      FrameObservations frame{header.frame, header.segment, header.keyframe, {}, {}, {}};
+      FrameObservations frame{header.frame, header.segment,  header.keyframe, {}, {},
+                              {},           header.num_joins};
       for (const StoredObservation& stored : Read<StoredObservation>(header.num_observations)) {
         frame.observations.push_back(Load(stored));
       }

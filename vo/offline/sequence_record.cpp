@@ -76,7 +76,7 @@ SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& l
     const FrameResult& frame = trajectory.frames[seen.frame];
     const FrameKey key{frame.segment, frame.index};
     if (seen.keyframe != kNoId || chosen.count(key) == 0) return;
-    frames_[key] = {KnownOf(seen, frame.segment), *frame.world_from_camera};
+    frames_[key] = {Finalize(seen, frame.segment), *frame.world_from_camera};
   });
 }
 
@@ -102,7 +102,10 @@ void SequenceRecord::AddKeyframe(const FrameObservations& seen, const Map& map,
   }
   all.observations.insert(all.observations.end(), seen.observations.begin(),
                           seen.observations.end());
-  all.in_world.insert(all.in_world.end(), seen.in_world.begin(), seen.in_world.end());
+  for (const Eigen::Vector3d& in_world : seen.in_world) {
+    const PointInSegment reported{seen.segment, in_world};
+    all.in_world.push_back(ApplyJoins(map.joins(), seen.num_joins, reported).in_world);
+  }
 }
 
 void SequenceRecord::KeepLandmarks() {
@@ -136,7 +139,7 @@ std::set<FrameKey> SequenceRecord::ChooseBetween(const std::set<FrameKey>& other
   return chosen;
 }
 
-FrameObservations SequenceRecord::KnownOf(const FrameObservations& seen, int segment) const {
+FrameObservations SequenceRecord::Finalize(const FrameObservations& seen, int segment) const {
   FrameObservations known{seen.frame, segment, seen.keyframe, {}, {}, {}};
   for (Observation observation : seen.observations) {
     observation.landmark = Resolve(observation.landmark);

@@ -46,6 +46,10 @@ class SequenceRecord {
 
   const std::map<FrameKey, AdjustedFrame>& frames() const { return frames_; }
 
+  /// Returns a frame's observations, in its final segment, of landmarks that keyframes observe,
+  /// with their final ids.
+  FrameObservations Finalize(const FrameObservations& seen, int segment) const;
+
   /// Returns one bundle for each segment, in ascending order, with views in the order of the
   /// frames.
   std::vector<Bundle> MakeBundles() const;
@@ -56,8 +60,6 @@ class SequenceRecord {
   void KeepLandmarks();
   /// Returns some of the frames between each keyframe and the next; `others` are not keyframes.
   std::set<FrameKey> ChooseBetween(const std::set<FrameKey>& others) const;
-  /// Returns a frame's observations, in a segment, of landmarks that keyframes observe.
-  FrameObservations KnownOf(const FrameObservations& seen, int segment) const;
 
   SequenceOptions options_;
   std::map<FrameKey, AdjustedFrame> frames_;
