@@ -18,6 +18,9 @@
 #include "apps/commands/match.h"
 #include "apps/commands/run.h"
 #include "apps/commands/synth.h"
+#include "apps/output/log_format.h"
+#include "apps/run/interruption.h"
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
@@ -37,7 +40,7 @@ constexpr const char* kFooter = R"(Examples:
 /// results only.
 void SetUpLogging() {
   spdlog::set_default_logger(spdlog::stderr_logger_st("corvo"));
-  spdlog::set_pattern("corvo: %l: %v");
+  spdlog::set_formatter(MakeLogFormatter());
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }
 
@@ -65,6 +68,7 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
 
 int Main(int argc, char** argv) {
   SetUpLogging();
+  EndOnInterruption();
   int exit_code = 0;
   CLI::App app("Monocular visual odometry: images in, camera trajectory and sparse map out.",
                "corvo");
@@ -74,7 +78,7 @@ int Main(int argc, char** argv) {
   AddRunCommand(app, exit_code);
   AddCalibrateCommand(app, exit_code);
   AddEvalCommand(app);
-  AddSynthCommand(app);
+  AddSynthCommand(app, exit_code);
   AddFeaturesCommand(app);
   AddMatchCommand(app);
   AddLearnCommand(app);
@@ -83,6 +87,9 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return ReportUsage(app, error);
+  } catch (const Error& error) {
+    spdlog::error("{}", error.what());
+    return kBadInput;
   } catch (const std::exception& error) {
     spdlog::error("{}", FirstLine(error.what()));
     return kBadInput;

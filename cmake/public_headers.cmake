@@ -25,6 +25,7 @@ set(corvo_public_headers
   vo/core/stage_times.h
   vo/core/trajectory.h
   vo/evaluation/evaluation.h
+  vo/evaluation/time_offset.h
   vo/geometry/planar_motion.h
   vo/geometry/ray_match.h
   vo/geometry/two_view.h

@@ -47,7 +47,13 @@ Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 Odometry::~Odometry() = default;
 
+void Odometry::CheckNotMovedFrom() const {
+  if (history_) return;
+  throw Error("this Odometry was moved from; assign another one to it before it is used");
+}
+
 FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Mat& mask) {
+  CheckNotMovedFrom();
   // Invalid input leaves the state unchanged.
   CheckImage(image, camera());
   orb::CheckInput(image, mask);
@@ -75,6 +81,7 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
 }
 
 FrameResult Odometry::ProcessMissing(TimeNs time_ns, Reason reason) {
+  CheckNotMovedFrom();
   if (!IsMissingImage(reason)) {
     throw Error(fmt::format("reason of a missing image is {}; allowed is {} or {}",
                             ToString(reason), ToString(Reason::kUnreadableImage),
@@ -89,6 +96,7 @@ FrameResult Odometry::ProcessMissing(TimeNs time_ns, Reason reason) {
 }
 
 Trajectory Odometry::Finish() {
+  CheckNotMovedFrom();
   FinishMapping();
   if (map_.empty()) return GetTrajectory();
   mapper_->StartLastCalibration(history_->size(), map_);
@@ -104,18 +112,59 @@ void Odometry::Reset() {
   recorder_ = std::move(recorder);
 }
 
-Trajectory Odometry::GetTrajectory() const { return history_->ToTrajectory(map_); }
+Trajectory Odometry::GetTrajectory() const {
+  CheckNotMovedFrom();
+  return history_->ToTrajectory(map_);
+}
 
-const CameraEstimate& Odometry::camera_estimate() const { return mapper_->camera_estimate(); }
-const CameraPrior& Odometry::camera_prior() const { return mapper_->camera_prior(); }
-bool Odometry::prior_rejected() const { return mapper_->prior_rejected(); }
+const Map& Odometry::map() const {
+  CheckNotMovedFrom();
+  return map_;
+}
+
+void Odometry::SetLandmarkCallback(LandmarkCallback callback) {
+  CheckNotMovedFrom();
+  recorder_.SetLandmarkCallback(std::move(callback));
+}
+
+void Odometry::SetObservationCallback(ObservationCallback callback) {
+  CheckNotMovedFrom();
+  recorder_.SetObservationCallback(std::move(callback));
+}
+
+const Camera& Odometry::camera() const {
+  CheckNotMovedFrom();
+  return map_.camera();
+}
+
+const OdometryOptions& Odometry::options() const {
+  CheckNotMovedFrom();
+  return options_;
+}
+
+const CameraEstimate& Odometry::camera_estimate() const {
+  CheckNotMovedFrom();
+  return mapper_->camera_estimate();
+}
+
+const CameraPrior& Odometry::camera_prior() const {
+  CheckNotMovedFrom();
+  return mapper_->camera_prior();
+}
+
+bool Odometry::prior_rejected() const {
+  CheckNotMovedFrom();
+  return mapper_->prior_rejected();
+}
 
 MemoryUse Odometry::memory_use() const {
+  CheckNotMovedFrom();
   return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_),
           map_.keyframe_bytes(), history_->num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {
+  CheckNotMovedFrom();
   const Frame* pending = initializer_->newest();
   return pending != nullptr ? *pending : previous_;
 }

@@ -54,6 +54,7 @@ class Odometry {
   /// corvo::Error if the prior is invalid.
   explicit Odometry(const CameraPrior& prior, const OdometryOptions& options = {}, int threads = 1);
 
+  /// A moved-from object throws corvo::Error when it is used, until another one is assigned to it.
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
   ~Odometry();
@@ -83,19 +84,15 @@ class Odometry {
 
   /// Returns the keyframes and landmarks. Only the newest keyframes, and those that share landmarks
   /// with the very newest, have features and landmarks: others have been marginalized.
-  const Map& map() const { return map_; }
+  const Map& map() const;
 
   /// Sets the callback that is called with each landmark that is marginalized. Such a landmark
   /// moves again only if its segment is joined with an earlier one: see ApplyJoins().
-  void SetLandmarkCallback(LandmarkCallback callback) {
-    recorder_.SetLandmarkCallback(std::move(callback));
-  }
+  void SetLandmarkCallback(LandmarkCallback callback);
 
   /// Sets the callback that is called with the observations of each frame. See
   /// vo/offline/refiner.h.
-  void SetObservationCallback(ObservationCallback callback) {
-    recorder_.SetObservationCallback(std::move(callback));
-  }
+  void SetObservationCallback(ObservationCallback callback);
 
   MemoryUse memory_use() const;
 
@@ -108,7 +105,7 @@ class Odometry {
   const cv::Mat& last_mask() const { return used_mask_; }
 
   /// Returns the current estimate of the camera, which is the given one at first.
-  const Camera& camera() const { return map_.camera(); }
+  const Camera& camera() const;
   /// Returns the camera's difference from the given one, with its covariance.
   const CameraEstimate& camera_estimate() const;
   /// Returns the given prior; no parameter is free if `calibration.enabled` is false.
@@ -116,12 +113,14 @@ class Odometry {
   /// Returns whether the images contradict the given camera beyond its sigmas; it is then used as
   /// given.
   bool prior_rejected() const;
-  const OdometryOptions& options() const { return options_; }
+  const OdometryOptions& options() const;
 
   /// Returns the stage times of the frame processed last.
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
+  /// Throws corvo::Error if the object was moved from.
+  void CheckNotMovedFrom() const;
   /// Removes what has been found to move with the camera from the map and from frames, or restarts
   /// if the map depends on it.
   void RemoveOverlay();

@@ -13,6 +13,7 @@
 
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
+#include "apps/commands/number_option.h"
 #include "apps/output/candidate_report.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/residual_plot.h"
@@ -161,7 +162,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
   AddFormerOption(*command, "--focal", "is not needed: the focal length is always estimated");
   command
       ->add_option("--fps", arguments->frame_rate_hz, "frame rate of images without timestamps, Hz")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(NumberRange(1e-3, 1e6));
   AddSelectionOptions(*command, arguments->selection);
   command
       ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/printable.h"
 #include "vo/io/config.h"
 
 namespace corvo {
@@ -16,7 +17,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo config --print configs/orb_2011.yaml    # check a file and print all resulting options)";
 
 void PrintConfig(const std::filesystem::path& file) {
-  fmt::print("{}", WriteOptions(file.empty() ? OdometryOptions{} : ReadOptions(file)));
+  fmt::print("{}", Printable(WriteOptions(file.empty() ? OdometryOptions{} : ReadOptions(file))));
 }
 
 }  // namespace

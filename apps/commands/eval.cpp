@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
+#include "apps/commands/number_option.h"
 #include "apps/dataset/frame_selection.h"
 #include "apps/output/evaluation_report.h"
 #include "apps/output/json_text.h"
@@ -20,6 +22,9 @@
 #include "apps/output/plot.h"
 #include "apps/run/eval_inputs.h"
 #include "apps/run/result_folder.h"
+#include "orb/error.h"
+#include "vo/evaluation/time_offset.h"
+#include "vo/io/decimal_time.h"
 
 namespace corvo {
 namespace {
@@ -30,6 +35,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo eval estimate.txt truth.txt
   corvo eval estimate.txt poses/03.txt --times sequences/03/times.txt
   corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.png
+  corvo eval estimate.txt truth.txt --time-offset -0.052   # a clock that is ahead by 52 ms
   corvo eval result groundtruth.txt --states tracking --rpe-seconds 2 --json
 
 EST and GT are in TUM format (8 columns: seconds, position, quaternion), KITTI format (12 columns,
@@ -50,6 +56,7 @@ struct EvalArguments {
   std::optional<double> rpe_meters;
   int rpe_frames = 1;
   double rpe_seconds = 1;
+  double time_offset_s = 0;
   bool json = false;
   bool force = false;
 };
@@ -68,13 +75,50 @@ EvaluationOptions MakeOptions(const EvalArguments& arguments) {
 
 EvalInputs ReadInputs(const EvalArguments& arguments) {
   EvalInputs inputs = ReadEvalInputs(arguments.files);
-  if (arguments.selection.SelectsAll()) return inputs;
+  if (arguments.time_offset_s != 0 && !inputs.has_times) {
+    throw Error("--time-offset: rows of KITTI files have no timestamps; give --times FILE");
+  }
+  const TimeNs offset_ns = Nanoseconds(arguments.time_offset_s);
+  if (arguments.selection.SelectsAll()) {
+    inputs.estimate = ShiftTimes(offset_ns, std::move(inputs.estimate));
+    return inputs;
+  }
   const std::filesystem::path frames = arguments.frames.empty()
                                            ? inputs.estimate_file.parent_path() / "frames.csv"
                                            : arguments.frames;
   if (arguments.frames.empty()) CheckResultFile(arguments.files.estimate, "frames.csv");
-  inputs.estimate = SelectFrames(inputs.estimate, frames, arguments.selection);
+  inputs.estimate =
+      ShiftTimes(offset_ns, SelectFrames(inputs.estimate, frames, arguments.selection));
   return inputs;
+}
+
+/// Returns a text on the offset that the estimate's times seem to have, and how to correct it;
+/// empty if no offset is suspected.
+std::string OffsetText(const EvalArguments& arguments, const EvalInputs& inputs) {
+  if (!inputs.has_times) return "";
+  const std::optional<TimeOffset> offset = FindTimeOffset(inputs.estimate, inputs.truth);
+  if (!offset) return "";
+  const double offset_s = arguments.time_offset_s + ToSeconds(offset->offset_ns);
+  std::string text = fmt::format(
+      "the timestamps of the estimate and the ground truth seem to differ by an offset: with "
+      "--time-offset {:.4f} the ATE is {:.6g}",
+      offset_s, offset->rmse);
+  if (offset->rmse_without) text += fmt::format(" instead of {:.6g}", *offset->rmse_without);
+  return text;
+}
+
+/// Evaluates the estimate. An error states where the times of both start, and `offset_text`.
+Evaluation EvaluateInputs(const EvalArguments& arguments, const EvalInputs& inputs,
+                          const std::string& offset_text) {
+  try {
+    return Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
+  } catch (const Error& error) {
+    if (!inputs.has_times || inputs.estimate.empty() || inputs.truth.empty()) throw;
+    throw Error(fmt::format("{}; the estimate starts at {} s, the ground truth at {} s{}{}",
+                            error.what(), FormatSeconds(inputs.estimate.front().time_ns),
+                            FormatSeconds(inputs.truth.front().time_ns),
+                            offset_text.empty() ? "" : "; ", offset_text));
+  }
 }
 
 void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
@@ -85,7 +129,8 @@ void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
   }
   nlohmann::ordered_json json = {{"estimate", inputs.estimate_file.string()},
                                  {"truth", inputs.truth_file.string()},
-                                 {"align", arguments.alignment}};
+                                 {"align", arguments.alignment},
+                                 {"time_offset_s", arguments.time_offset_s}};
   json.update(ToJson(evaluation));
   fmt::print("{}", JsonText(json));
 }
@@ -106,7 +151,9 @@ void DrawPlot(const EvalArguments& arguments, const EvalInputs& inputs,
 
 void Eval(const EvalArguments& arguments) {
   const EvalInputs inputs = ReadInputs(arguments);
-  const Evaluation evaluation = Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
+  const std::string offset_text = OffsetText(arguments, inputs);
+  const Evaluation evaluation = EvaluateInputs(arguments, inputs, offset_text);
+  if (!offset_text.empty()) spdlog::warn("{}", offset_text);
   PrintReport(arguments, inputs, evaluation);
   if (arguments.image.empty()) return;
   DrawPlot(arguments, inputs, evaluation);
@@ -142,17 +189,22 @@ void AddMeasureOptions(CLI::App& command, EvalArguments& arguments) {
   command
       .add_option("--max-dt", arguments.max_dt_s,
                   "maximum time difference of compared poses, s (default: half a frame interval)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(NumberRange(0.0, 1e6));
+  command
+      .add_option("--time-offset", arguments.time_offset_s,
+                  "seconds that are added to the timestamps of the estimate")
+      ->check(NumberRange(-4e9, 4e9))
+      ->capture_default_str();
   command.add_option("--rpe-frames", arguments.rpe_frames, "interval of the RPE over frames")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command.add_option("--rpe-seconds", arguments.rpe_seconds, "interval of the RPE over time, s")
-      ->check(CLI::Range(1e-9, 1e6))
+      ->check(NumberRange(1e-9, 1e6))
       ->capture_default_str();
   command
       .add_option("--rpe-meters", arguments.rpe_meters,
                   "interval of the RPE over the ground truth's path, in its unit (default: none)")
-      ->check(CLI::Range(1e-9, 1e9));
+      ->check(NumberRange(1e-9, 1e9));
   AddFormerOption(command, "--rpe-metres", "is now --rpe-meters");
 }
 

@@ -13,6 +13,7 @@
 #include "apps/dataset/image_source.h"
 #include "apps/output/features_output.h"
 #include "apps/output/output_folder.h"
+#include "apps/output/printable.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
 
@@ -83,7 +84,7 @@ void ExtractFeatures(const FeaturesArguments& arguments) {
   std::string text;
   for (const fs::path& image : arguments.images) text += ExtractImage(image, extractor, output);
   output.Commit();
-  fmt::print("{}", text);
+  fmt::print("{}", Printable(text));
 }
 
 }  // namespace

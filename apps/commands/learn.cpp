@@ -16,6 +16,7 @@
 #include "apps/commands/force_flag.h"
 #include "apps/dataset/image_source.h"
 #include "apps/output/output_folder.h"
+#include "apps/output/printable.h"
 #include "apps/run/progress_line.h"
 #include "apps/synthetic/random.h"
 #include "apps/synthetic/training_pairs.h"
@@ -154,7 +155,7 @@ void Learn(const LearnArguments& arguments) {
   const std::string name = arguments.output.filename().string();
   output.Write(name, FileText(arguments, static_cast<int>(images.size()), training.size(), result));
   output.Commit();
-  fmt::print("{}: {} tests from {} keypoints of {} images\n", arguments.output.string(),
+  fmt::print("{}: {} tests from {} keypoints of {} images\n", Printable(arguments.output.string()),
              orb::kNumTests, training.size(), images.size());
 }
 

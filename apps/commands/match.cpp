@@ -13,6 +13,7 @@
 #include "apps/output/features_output.h"
 #include "apps/output/match_images.h"
 #include "apps/output/output_folder.h"
+#include "apps/output/printable.h"
 #include "vo/io/config.h"
 
 namespace corvo {
@@ -70,7 +71,7 @@ void Match(const MatchArguments& arguments) {
   }
   WriteImage(DrawMatches(first, second, images), "matches.png", output);
   output.Commit();
-  fmt::print("{}", SummaryText(arguments, images));
+  fmt::print("{}", Printable(SummaryText(arguments, images)));
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
+#include "apps/commands/number_option.h"
 #include "apps/output/output_folder.h"
+#include "apps/output/printable.h"
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
 #include "apps/run/image_processing.h"
@@ -74,7 +76,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   }
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
   if (summary.end.is_complete()) {
-    fmt::print("{}", SummaryText(arguments, summary));
+    fmt::print("{}", Printable(SummaryText(arguments, summary)));
     return static_cast<int>(summary.outcome);
   }
   spdlog::error("{}, after {}; the partial result is in {}", summary.end.why, FramesText(summary),
@@ -83,8 +85,8 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
-  std::signal(SIGPIPE, SIG_IGN);    // A reader of the messages that goes away does not end the run.
-  const Interruption interruption;  // Before any thread starts: threads inherit the signal mask.
+  std::signal(SIGPIPE, SIG_IGN);  // A reader of the messages that goes away does not end the run.
+  const Interruption interruption;
   try {
     return Run(arguments, interruption);
   } catch (const Interrupted&) {
@@ -101,7 +103,7 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--meters-per-unit", arguments.meters_per_unit,
                   "scale factor of the written trajectories and map (default: 1)")
-      ->check(CLI::Range(1e-12, 1e12));
+      ->check(NumberRange(1e-12, 1e12));
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 
@@ -112,7 +114,7 @@ void AddTruthOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--max-dt", arguments.max_dt_s,
                   "maximum time difference of compared poses, s (default: half a frame interval)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(NumberRange(0.0, 1e6));
 }
 
 }  // namespace

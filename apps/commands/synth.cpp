@@ -10,7 +10,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include "apps/commands/number_option.h"
+#include "apps/output/printable.h"
+#include "apps/run/interruption.h"
 #include "apps/synthetic/sequence.h"
 #include "apps/synthetic/writer.h"
 #include "vo/io/config.h"
@@ -32,18 +36,29 @@ synthetic::Layout ParseLayout(const std::string& name) {
   return name == "euroc" ? synthetic::Layout::kEuroc : synthetic::Layout::kTum;
 }
 
-void Synthesize(SynthArguments& arguments) {
+int Synthesize(SynthArguments& arguments) {
   if (!arguments.camera.empty()) {
     arguments.options.camera = ReadCameraFile(arguments.camera).camera.parameters();
   }
   const synthetic::Sequence sequence = arguments.make(arguments.options);
   const bool terminal = isatty(fileno(stderr)) != 0;
   const synthetic::Layout layout = ParseLayout(arguments.layout);
-  synthetic::WriteSequence(sequence, arguments.folder, layout, arguments.force, [&](int done) {
-    if (terminal) fmt::print(stderr, "\r{}/{}", done, sequence.size());
-  });
+  const Interruption interruption;
+  try {
+    synthetic::WriteSequence(sequence, arguments.folder, layout, arguments.force, [&](int done) {
+      if (terminal) fmt::print(stderr, "\r{}/{}", done, sequence.size());
+      interruption.ThrowIfRequested();
+    });
+  } catch (const Interrupted&) {
+    // A folder that --force took over may hold other images.
+    if (!arguments.force) synthetic::RemoveSequence(arguments.folder);
+    spdlog::error("interrupted; the images written so far were {}",
+                  arguments.force ? "kept" : "removed");
+    return ExitCodeOf(interruption.PendingSignal());
+  }
   fmt::print(stderr, "{}{} frames of {} in {}\n", terminal ? "\r" : "", sequence.size(),
-             sequence.name(), arguments.folder);
+             sequence.name(), Printable(arguments.folder));
+  return 0;
 }
 
 /// Adds an option that takes START,DURATION in seconds.
@@ -52,6 +67,7 @@ void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, con
     span = {value.first, value.second};
   };
   command.add_option_function<std::pair<double, double>>(name, assign, meaning)
+      ->check(NumberRange(0, 1e6))
       ->delimiter(',')
       ->type_name("START,DURATION");
 }
@@ -59,16 +75,22 @@ void AddSpan(CLI::App& command, const char* name, synthetic::TimeSpan& span, con
 void AddEffects(CLI::App& command, synthetic::Effects& effects) {
   AddSpan(command, "--dark", effects.dark, "time span of near darkness, s");
   AddSpan(command, "--blur", effects.blur, "time span of motion blur, s");
-  command.add_option("--drift", effects.exposure_drift,
-                     "amplitude of an exposure oscillation with a period of 8 s, stops (0 to 3)");
-  command.add_option("--vignetting", effects.vignetting,
-                     "fraction of the light that is lost in the corners (0 to 0.95)");
-  command.add_option("--moving", effects.moving_share,
-                     "fraction of the image covered by moving objects (0 to 0.8)");
+  command
+      .add_option("--drift", effects.exposure_drift,
+                  "amplitude of an exposure oscillation with a period of 8 s, stops (0 to 3)")
+      ->check(NumberRange(0, 3));
+  command
+      .add_option("--vignetting", effects.vignetting,
+                  "fraction of the light that is lost in the corners (0 to 0.95)")
+      ->check(NumberRange(0, 0.95));
+  command
+      .add_option("--moving", effects.moving_share,
+                  "fraction of the image covered by moving objects (0 to 0.8)")
+      ->check(NumberRange(0, 0.8));
 }
 
 void AddScene(CLI::App& synth, const char* name, const char* description,
-              synthetic::Sequence (*make)(const synthetic::SequenceOptions&)) {
+              synthetic::Sequence (*make)(const synthetic::SequenceOptions&), int& exit_code) {
   CLI::App* command = synth.add_subcommand(name, description);
   const auto arguments = std::make_shared<SynthArguments>();
   arguments->make = make;
@@ -79,6 +101,7 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
       ->check(CLI::IsMember({"tum", "kitti", "euroc"}))
       ->capture_default_str();
   command->add_option("--frames", arguments->options.frames, "number of images")
+      ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command->add_option(
       "--width", arguments->options.width,
@@ -86,20 +109,22 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
       "scene's own)");
   command->add_option("--camera", arguments->camera,
                       "camera file of any model; replaces the scene's own camera");
-  command->add_option("--noise", arguments->options.noise_sigma,
-                      "standard deviation of the pixel noise, gray levels");
+  command
+      ->add_option("--noise", arguments->options.noise_sigma,
+                   "standard deviation of the pixel noise, gray levels")
+      ->check(NumberRange(0, 100));
   command->add_option("--seed", arguments->options.noise_seed, "random seed of the noise")
       ->capture_default_str();
   AddSpan(*command, "--turn", arguments->options.turn,
           "time span in which the camera stops and rotates 40 degrees to either side, s");
   AddEffects(*command, arguments->options.effects);
   command->add_flag("--force", arguments->force, "overwrite files in a folder that is not empty");
-  command->callback([arguments] { Synthesize(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = Synthesize(*arguments); });
 }
 
 }  // namespace
 
-void AddSynthCommand(CLI::App& app) {
+void AddSynthCommand(CLI::App& app, int& exit_code) {
   CLI::App* synth = app.add_subcommand("synth", "Render a sequence with exact ground truth");
   synth->require_subcommand(1);
   synth->footer(
@@ -110,13 +135,14 @@ void AddSynthCommand(CLI::App& app) {
       "  corvo synth corridor -o crowd --layout euroc --moving 0.2 --drift 1 --vignetting 0.5\n"
       "  corvo synth room -o fisheye --camera configs/tumvi.yaml\n\n"
       "'corvo synth SCENE --help' shows the options.");
-  AddScene(*synth, "room", "a walk round a furnished room, about 8 m", synthetic::MakeRoom);
-  AddScene(*synth, "street", "a drive along a street with bends", synthetic::MakeStreet);
+  AddScene(*synth, "room", "a walk round a furnished room, about 8 m", synthetic::MakeRoom,
+           exit_code);
+  AddScene(*synth, "street", "a drive along a street with bends", synthetic::MakeStreet, exit_code);
   AddScene(*synth, "corridor", "a walk down a corridor with little texture",
-           synthetic::MakeCorridor);
-  AddScene(*synth, "wall", "a camera in front of a plane", synthetic::MakePlanarWall);
+           synthetic::MakeCorridor, exit_code);
+  AddScene(*synth, "wall", "a camera in front of a plane", synthetic::MakePlanarWall, exit_code);
   AddScene(*synth, "rotation", "a camera that rotates without translating",
-           synthetic::MakePureRotation);
+           synthetic::MakePureRotation, exit_code);
 }
 
 }  // namespace corvo

@@ -9,6 +9,7 @@
 
 #include "apps/dataset/sensor_yaml.h"
 #include "orb/error.h"
+#include "vo/core/trajectory.h"
 
 namespace corvo {
 namespace {
@@ -34,7 +35,9 @@ SE3 ParseTransform(const YAML::Node& node, const char* key) {
     throw Error(fmt::format("{} has {} numbers; a 4x4 matrix has 16", key, numbers.size()));
   }
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(numbers.data());
-  return SE3(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
+  const SE3 pose(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
+  CheckPose(key, pose);
+  return pose;
 }
 
 /// Returns std::nullopt if the file has no T_BS.
@@ -55,8 +58,9 @@ std::optional<SE3> ParseCameraChain(const YAML::Node& root) {
 std::optional<SE3> ReadTransform(const fs::path& file,
                                  std::optional<SE3> (*parse)(const YAML::Node&)) {
   if (!fs::exists(file)) return std::nullopt;
+  const YAML::Node root = LoadSensorYaml(file);
   try {
-    return parse(LoadSensorYaml(file));
+    return parse(root);
   } catch (const YAML::Exception& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const Error& error) {

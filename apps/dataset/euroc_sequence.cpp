@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/dataset/image_layouts.h"
+#include "apps/dataset/list_entry.h"
 #include "apps/dataset/sensor_yaml.h"
 #include "orb/error.h"
 #include "vo/io/decimal_time.h"
@@ -63,6 +64,8 @@ CameraParameters ParseCamera(const YAML::Node& root, const char* distortion_key)
   const std::vector<double> intrinsics = ReadNumbers(root, "intrinsics", 4, 4);
   const std::size_t max_distortion = camera.model == CameraModel::kKb4 ? 4 : 5;
   SetDistortion(ReadNumbers(root, distortion_key, 4, max_distortion), camera);
+  CheckRange("resolution: width", size[0], 1.0, 1e5);
+  CheckRange("resolution: height", size[1], 1.0, 1e5);
   camera.width = static_cast<int>(size[0]);
   camera.height = static_cast<int>(size[1]);
   camera.fx = intrinsics[0];
@@ -84,8 +87,9 @@ CameraParameters ParseCameraChain(const YAML::Node& root) {
 }
 
 CameraParameters ReadCamera(const fs::path& file, CameraParameters (*parse)(const YAML::Node&)) {
+  const YAML::Node root = LoadSensorYaml(file);
   try {
-    return parse(LoadSensorYaml(file));
+    return parse(root);
   } catch (const YAML::Exception& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const Error& error) {
@@ -112,13 +116,17 @@ ImageList ListEurocImages(const fs::path& input) {
   ImageList list{"euroc", {}, {}};
   const fs::path folder = CameraFolder(input);
   const fs::path file = folder / "data.csv";
-  for (const TextLine& line : ReadTextLines(file)) {
+  const std::vector<TextLine> lines = ReadTableLines(file);
+  const TimeUnit unit =
+      lines.empty() ? TimeUnit::kNanoseconds : GuessEurocTimeUnit(SplitFields(lines[0].text)[0]);
+  for (const TextLine& line : lines) {
     const std::string where = LinePrefix(file, line);
-    const std::vector<std::string> fields = SplitFields(line.text, ',');
+    const std::vector<std::string> fields = SplitFields(line.text);
     if (fields.size() != 2 || fields[1].empty()) {
       throw Error(fmt::format("{}'{}' is not 'timestamp [ns],filename'", where, line.text));
     }
-    list.images.push_back({folder / "data" / fields[1], ParseNanoseconds(fields[0], where)});
+    list.images.push_back(
+        {EntryPath(folder / "data", fields[1], where), ParseTime(fields[0], unit, where)});
   }
   list.camera = FindCamera(folder);
   return list;

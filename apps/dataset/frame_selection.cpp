@@ -50,7 +50,7 @@ struct Columns {
 
 Columns FindColumns(const std::vector<TextLine>& lines, const fs::path& file) {
   const std::vector<std::string> header =
-      lines.empty() ? std::vector<std::string>() : SplitFields(lines.front().text, ',');
+      lines.empty() ? std::vector<std::string>() : SplitFields(lines.front().text);
   return {header.size(), FindColumn(header, "timestamp", file), FindColumn(header, "state", file),
           FindColumn(header, "segment", file)};
 }
@@ -71,7 +71,7 @@ std::set<TimeNs> SelectTimes(const fs::path& file, const FrameSelection& selecti
   std::set<TimeNs> times;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::string where = LinePrefix(file, lines[i]);
-    const std::vector<std::string> fields = SplitFields(lines[i].text, ',');
+    const std::vector<std::string> fields = SplitFields(lines[i].text);
     if (fields.size() != columns.count) {
       throw Error(
           fmt::format("{}{} fields; the header has {}", where, fields.size(), columns.count));

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
-#include <iterator>
+#include <mutex>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "apps/dataset/decoder_messages.h"
+#include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string ReadBytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file))
-    throw Error(fmt::format("{}: cannot be read", file.string()));
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 /// Returns whether the bytes are a truncated JPEG, whose missing part decoders silently fill with
 /// gray. A complete JPEG has an end-of-image marker after its last start-of-scan marker; scan data
@@ -36,15 +34,44 @@ bool IsTruncatedPng(const std::string& bytes) {
   return bytes.compare(0, 4, "\x89PNG") == 0 && bytes.rfind("IEND") == std::string::npos;
 }
 
-cv::Mat Decode(const std::string& bytes) {
+/// Throws corvo::Error if the header says that the image is too large to be decoded.
+void CheckHeader(const ImageHeader& header, const fs::path& file) {
+  if (header.num_pixels() <= kMaxImagePixels) return;
+  throw Error(fmt::format("{}: the image is {} x {} px, {} in total; allowed is 1 to {}",
+                          file.string(), header.width, header.height, header.num_pixels(),
+                          kMaxImagePixels));
+}
+
+/// Logs a warning about a file unless one of the same kind was logged before.
+void WarnOnce(const std::string& kind, const fs::path& file, const std::string& message) {
+  static std::mutex mutex;
+  static std::set<std::string> kinds;
+  const std::lock_guard lock(mutex);
+  if (kinds.insert(kind).second) spdlog::warn("{}: {}", file.string(), message);
+}
+
+void WarnOfOrientation(const ImageHeader& header, const fs::path& file) {
+  if (header.orientation == 1) return;
+  WarnOnce("orientation", file,
+           fmt::format("has the EXIF orientation {}, which is ignored: this and all other images "
+                       "are used as stored",
+                       header.orientation));
+}
+
+cv::Mat Decode(const std::string& bytes, std::string& complaint) {
   if (bytes.empty() || IsTruncatedJpeg(bytes) || IsTruncatedPng(bytes)) return {};
+  DecoderMessages messages;
+  cv::Mat image;
   try {
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
-    return cv::imdecode(buffer, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+    image = cv::imdecode(
+        buffer, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
-    return {};
+    image.release();
   }
+  complaint = messages.Take();
+  return image;
 }
 
 /// Converts 16-bit to 8-bit gray by keeping the upper eight bits.
@@ -76,8 +103,17 @@ cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
 }
 
 cv::Mat ReadGrayImage(const fs::path& file) {
-  const cv::Mat image = Decode(ReadBytes(file));
-  if (image.empty()) throw Error(fmt::format("{}: not a readable image", file.string()));
+  const std::string bytes = ReadFileBytes(file, kMaxImageBytes);
+  const ImageHeader header = ParseImageHeader(bytes).value_or(ImageHeader());
+  CheckHeader(header, file);
+  std::string complaint;
+  const cv::Mat image = Decode(bytes, complaint);
+  if (image.empty()) {
+    throw Error(fmt::format("{}: not a readable image{}", file.string(),
+                            complaint.empty() ? "" : " (" + complaint + ")"));
+  }
+  WarnOfOrientation(header, file);
+  if (!complaint.empty()) WarnOnce(complaint, file, "the decoder says: " + complaint);
   return ToGray(image, file.string());
 }
 

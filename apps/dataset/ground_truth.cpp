@@ -34,10 +34,9 @@ fs::path PlainFolder(const fs::path& input) {
   return is_bare ? fs::absolute(folder).lexically_normal() : folder;
 }
 
-/// Reads poses of the body and transforms them to cam0.
-PoseSequence ReadBodyTruth(const fs::path& file) {
+/// Transforms poses of the body to cam0.
+PoseSequence MoveToCamera(PoseSequence poses, const fs::path& file) {
   const SE3 body_from_camera = ReadBodyFromCamera(file);
-  PoseSequence poses = ReadEurocPoses(file);
   for (TimedPose& pose : poses) {
     pose.world_from_camera = pose.world_from_camera * body_from_camera;
   }
@@ -64,7 +63,7 @@ std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
 SE3 ReadPoseMatrix(const fs::path& file) {
   std::vector<double> numbers;
   for (const TextLine& line : ReadTextLines(file)) {
-    for (const std::string& field : SplitFields(line.text, ' ')) {
+    for (const std::string& field : SplitFields(line.text)) {
       numbers.push_back(ParseNumber(field, LinePrefix(file, line)));
     }
   }
@@ -72,7 +71,14 @@ SE3 ReadPoseMatrix(const fs::path& file) {
     throw Error(fmt::format("{}: {} numbers; a 4x4 matrix has 16", file.string(), numbers.size()));
   }
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(numbers.data());
-  return SE3(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())), matrix.topRightCorner<3, 1>());
+  try {
+    const SE3 pose(SO3(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())),
+                   matrix.topRightCorner<3, 1>());
+    CheckPose("the pose", pose);
+    return pose;
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  }
 }
 
 std::vector<SE3> ReadPoseMatrices(const fs::path& folder) {
@@ -99,7 +105,8 @@ fs::path FindGroundTruth(const fs::path& input) {
 PoseFile ReadTruthFile(const fs::path& file) {
   if (fs::is_directory(file)) return PoseFile(ReadPoseMatrices(file));
   if (file.filename() == kMonoTruth) return PoseFile(ReadTumWithGaps(file));
-  return IsEurocPoseFile(file) ? PoseFile(ReadBodyTruth(file)) : ReadPoseFile(file);
+  PoseFile poses = ReadPoseFile(file);
+  return poses.is_euroc() ? PoseFile(MoveToCamera(poses.poses(), file)) : poses;
 }
 
 PoseSequence ReadGroundTruth(const fs::path& file, const std::vector<TimeNs>& frame_times) {

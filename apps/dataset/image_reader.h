@@ -56,8 +56,10 @@ std::unique_ptr<ImageReader> OpenVideo(const std::filesystem::path& file,
 std::unique_ptr<ImageReader> OpenCamera(int device);
 
 /// Reads an image as 8-bit gray. Color is converted to 0.299 R + 0.587 G + 0.114 B (the luma of
-/// JPEG); of 16 bits the upper eight are kept. Throws corvo::Error if the file is not a readable
-/// image or is a truncated JPEG or PNG.
+/// JPEG); of 16 bits the upper eight are kept. The orientation of EXIF is
+/// ignored, with a warning for the first image that has one. Throws corvo::Error if the file is not
+/// a readable image, is a truncated JPEG or PNG, is larger than kMaxImageBytes, or has more than
+/// kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
 cv::Mat ReadGrayImage(const std::filesystem::path& file);
 
 /// Converts a decoded image like ReadGrayImage(). It must have 8 or 16 bits and one, three (BGR) or

@@ -23,12 +23,15 @@ ImageList ListByLayout(const fs::path& input, double frame_rate_hz) {
   return ListFolderImages(input, frame_rate_hz);
 }
 
-void CheckFiles(const std::vector<TimedFile>& images) {
-  for (const TimedFile& image : images) {
-    if (!fs::is_regular_file(image.file)) {
-      throw Error(
-          fmt::format("{}: listed in the sequence but does not exist", image.file.string()));
-    }
+/// Checks the selected files only: a list may have a million others.
+void CheckFiles(const std::vector<TimedFile>& images, const Selection& selection) {
+  const auto size = static_cast<std::int64_t>(images.size());
+  int num_checked = 0;
+  for (std::int64_t i = selection.start; i < size; i += selection.every) {
+    if (selection.count && num_checked++ == *selection.count) return;
+    if (fs::is_regular_file(images[i].file)) continue;
+    throw Error(
+        fmt::format("{}: listed in the sequence but does not exist", images[i].file.string()));
   }
 }
 
@@ -78,7 +81,7 @@ cv::Mat ResizeMask(const cv::Mat& mask, const cv::Size& size) {
 
 }  // namespace
 
-ImageList ListImages(const fs::path& input, double frame_rate_hz) {
+ImageList ListImages(const fs::path& input, double frame_rate_hz, const Selection& selection) {
   const bool exists = fs::exists(input);
   if (!exists && !IsPattern(input)) throw Error(fmt::format("{}: no such folder", input.string()));
   if (exists && !fs::is_directory(input)) {
@@ -88,7 +91,7 @@ ImageList ListImages(const fs::path& input, double frame_rate_hz) {
   ImageList list =
       exists ? ListByLayout(input, frame_rate_hz) : ListMatchingImages(input, frame_rate_hz);
   if (list.images.empty()) throw Error(fmt::format("{}: contains no images", input.string()));
-  CheckFiles(list.images);
+  CheckFiles(list.images, selection);
   CheckTimesAscend(list.images);
   return list;
 }
@@ -208,7 +211,8 @@ ImageSource OpenImages(const std::string& input, std::optional<double> frame_rat
   if (IsLiveInput(input)) {
     return {ImageList{"camera", {}, {}}, OpenCamera(*ParseDevice(input)), selection};
   }
-  return ImageSource(ListImages(input, frame_rate_hz.value_or(default_frame_rate_hz)), selection);
+  const double rate_hz = frame_rate_hz.value_or(default_frame_rate_hz);
+  return ImageSource(ListImages(input, rate_hz, selection), selection);
 }
 
 }  // namespace corvo

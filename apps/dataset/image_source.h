@@ -21,15 +21,9 @@ namespace corvo {
 struct ImageList {
   std::string
       layout;  ///< "folder", "glob", "kitti", "euroc", "tum", "tum-mono", "video", "camera".
-  std::vector<TimedFile>
-      images;  ///< In ascending time; every file exists. Empty for a video or camera.
+  std::vector<TimedFile> images;           ///< In ascending time. Empty for a video or camera.
   std::optional<CameraParameters> camera;  ///< The dataset's calibration, if any; valid.
 };
-
-/// Recognizes the layout of a folder by its files, or interprets `input` as a file name pattern,
-/// and lists the images. Images without timestamps get index / frame_rate_hz. Throws corvo::Error
-/// with file, line and value if something is missing or malformed, or if there are no images.
-ImageList ListImages(const std::filesystem::path& input, double frame_rate_hz);
 
 /// A selection of the images of a sequence.
 struct Selection {
@@ -37,6 +31,13 @@ struct Selection {
   int every = 1;             ///< Stride: every n-th image is used.
   std::optional<int> count;  ///< Maximum number of images.
 };
+
+/// Recognizes the layout of a folder by its files, or interprets `input` as a file name pattern,
+/// and lists the images. Images without timestamps get index / frame_rate_hz. Throws corvo::Error
+/// with file, line and value if something is missing or malformed, or if a selected image is
+/// missing or there are no images.
+ImageList ListImages(const std::filesystem::path& input, double frame_rate_hz,
+                     const Selection& selection = {});
 
 /// The preparation of every image.
 struct Preparation {

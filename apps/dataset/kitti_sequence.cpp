@@ -35,8 +35,10 @@ const RigCamera* FindCamera(const fs::path& input) {
 
 std::vector<TimeNs> ReadTimes(const fs::path& file) {
   std::vector<TimeNs> times;
-  for (const TextLine& line : ReadTextLines(file)) {
-    times.push_back(ParseSeconds(line.text, LinePrefix(file, line)));
+  const std::vector<TextLine> lines = ReadTableLines(file);
+  for (const TextLine& line : lines) {
+    const TimeUnit unit = GuessTimeUnit(lines[0].text);
+    times.push_back(ParseTime(line.text, unit, LinePrefix(file, line)));
   }
   return times;
 }
@@ -67,7 +69,7 @@ void ValidateCamera(const CameraParameters& camera, const std::string& where) {
 /// `first_image`.
 CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::path& first_image) {
   for (const TextLine& line : ReadTextLines(file)) {
-    const std::vector<std::string> fields = SplitFields(line.text, ' ');
+    const std::vector<std::string> fields = SplitFields(line.text);
     if (fields.front() != row) continue;
     CameraParameters camera = ParseProjection(fields, LinePrefix(file, line));
     const cv::Mat image = ReadGrayImage(first_image);

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include "orb/error.h"
+#include "vo/io/decimal_time.h"
+#include "vo/io/pose_rows.h"
 #include "vo/io/text_lines.h"
-#include "vo/io/trajectory_io.h"
 
 namespace corvo {
 namespace {
@@ -13,14 +14,15 @@ namespace {
 constexpr TimeNs kSecond = 1'000'000'000;
 constexpr std::size_t kTumColumns = 8;
 constexpr std::size_t kKittiColumns = 12;
+constexpr std::size_t kMatrixColumns = 16;  // KITTI's, with the row 0 0 0 1.
 
-TextLine FirstLine(const std::filesystem::path& file) {
-  const std::vector<TextLine> lines = ReadTextLines(file);
-  if (lines.empty()) throw Error(fmt::format("{}: contains no poses", file.string()));
-  return lines.front();
+/// Returns whether a pose is in EuRoC's format. One with a time in seconds is in TUM's, with
+/// commas.
+bool IsEuroc(const TextLine& line) {
+  const bool has_commas = line.text.find(',') != std::string::npos;
+  const std::string time = SplitFields(line.text)[0];
+  return has_commas && GuessEurocTimeUnit(time) == TimeUnit::kNanoseconds;
 }
-
-bool HasCommas(const TextLine& line) { return line.text.find(',') != std::string::npos; }
 
 }  // namespace
 
@@ -40,16 +42,18 @@ PoseSequence PoseFile::WithTimes(const std::vector<TimeNs>& times) const {
   return poses;
 }
 
-bool IsEurocPoseFile(const std::filesystem::path& file) { return HasCommas(FirstLine(file)); }
-
 PoseFile ReadPoseFile(const std::filesystem::path& file) {
-  const TextLine line = FirstLine(file);
-  if (HasCommas(line)) return PoseFile(ReadEurocPoses(file));
-  const std::size_t columns = SplitFields(line.text, ' ').size();
-  if (columns == kTumColumns) return PoseFile(ReadTum(file));
-  if (columns == kKittiColumns) return PoseFile(ReadKittiPoses(file));
-  throw Error(fmt::format("{}{} columns; TUM format has {}, KITTI format {}",
-                          LinePrefix(file, line), columns, kTumColumns, kKittiColumns));
+  const std::vector<TextLine> lines = ReadTableLines(file);
+  if (lines.empty()) throw Error(fmt::format("{}: contains no poses", file.string()));
+  if (IsEuroc(lines[0])) return PoseFile(ParseEurocRows(lines, file), true);
+  const std::size_t columns = SplitFields(lines[0].text).size();
+  if (columns == kTumColumns) return PoseFile(ParseTumRows(lines, file));
+  if (columns == kKittiColumns || columns == kMatrixColumns) {
+    return PoseFile(ParseKittiRows(lines, file));
+  }
+  throw Error(fmt::format("{}{} columns; TUM format has {}, KITTI format {} or {}",
+                          LinePrefix(file, lines[0]), columns, kTumColumns, kKittiColumns,
+                          kMatrixColumns));
 }
 
 }  // namespace corvo

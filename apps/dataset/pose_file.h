@@ -13,10 +13,13 @@ namespace corvo {
 /// The poses of a file, with timestamps or numbered by row.
 class PoseFile {
  public:
-  explicit PoseFile(PoseSequence timed) : poses_(std::move(timed)), has_times_(true) {}
+  explicit PoseFile(PoseSequence timed, bool is_euroc = false)
+      : poses_(std::move(timed)), has_times_(true), is_euroc_(is_euroc) {}
   explicit PoseFile(const std::vector<SE3>& numbered);
 
   bool has_times() const { return has_times_; }
+  /// Returns whether the file is in EuRoC format, in which ground truth has the poses of the body.
+  bool is_euroc() const { return is_euroc_; }
   std::size_t size() const { return poses_.size(); }
 
   /// Returns the poses with their own timestamps, or else with the i-th of `times` for row i.
@@ -29,14 +32,12 @@ class PoseFile {
  private:
   PoseSequence poses_;
   bool has_times_ = false;
+  bool is_euroc_ = false;
 };
 
-/// Reads a file whose format is recognized by commas (EuRoC, timestamps in ns), 8 columns (TUM,
-/// timestamps in s) or 12 columns (KITTI, no timestamps). Throws corvo::Error with file and line if
-/// it is malformed.
+/// Reads a file, which may be a pipe, whose format is recognized by its first pose: separated by
+/// commas and with a timestamp in ns (EuRoC), 8 columns (TUM), or 12 or 16 columns (KITTI, no
+/// timestamps). Throws corvo::Error with file and line if it is malformed.
 PoseFile ReadPoseFile(const std::filesystem::path& file);
-
-/// Returns whether the first pose in the file is separated by commas, as in EuRoC and TUM-VI.
-bool IsEurocPoseFile(const std::filesystem::path& file);
 
 }  // namespace corvo

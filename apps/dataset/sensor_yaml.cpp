@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "apps/dataset/sensor_yaml.h"
 
-#include <fstream>
 #include <sstream>
 #include <string>
 
-#include <fmt/format.h>
-
-#include "orb/error.h"
+#include "vo/io/file_bytes.h"
+#include "vo/io/text_lines.h"
+#include "vo/io/yaml_document.h"
 
 namespace corvo {
 
 YAML::Node LoadSensorYaml(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Error(fmt::format("{}: cannot be read", file.string()));
-  std::stringstream text;
+  const std::string bytes = ReadFileBytes(file, kMaxYamlBytes);
+  std::istringstream stream(std::string(WithoutByteOrderMark(bytes, file.string())));
+  std::string text;
   for (std::string line; std::getline(stream, line);) {
-    text << (line.rfind('%', 0) == 0 ? "" : line) << '\n';
+    text += (line.rfind('%', 0) == 0 ? "" : line) + "\n";
   }
-  return YAML::Load(text);
+  return ParseYaml(text, file);
 }
 
 }  // namespace corvo

@@ -21,7 +21,7 @@ constexpr const char* kCamera = "camera.txt";
 std::vector<double> ParseNumbers(const TextLine& line, std::size_t count, const char* meaning,
                                  const fs::path& file) {
   const std::string where = LinePrefix(file, line);
-  const std::vector<std::string> fields = SplitFields(line.text, ' ');
+  const std::vector<std::string> fields = SplitFields(line.text);
   if (fields.size() != count) {
     throw Error(fmt::format("{}'{}' is not '{}'", where, line.text, meaning));
   }
@@ -32,9 +32,9 @@ std::vector<double> ParseNumbers(const TextLine& line, std::size_t count, const 
 
 /// Parses the timestamp of an image, which is the second column. The first column is the image's
 /// name, the third, optional one its exposure.
-TimeNs ParseTime(const TextLine& line, const fs::path& image, const fs::path& file) {
+TimeNs ParseRow(const TextLine& line, const fs::path& image, const fs::path& file) {
   const std::string where = LinePrefix(file, line);
-  const std::vector<std::string> fields = SplitFields(line.text, ' ');
+  const std::vector<std::string> fields = SplitFields(line.text);
   if (fields.size() < 2 || fields.size() > 3) {
     throw Error(fmt::format("{}'{}' is not 'name time exposure'", where, line.text));
   }
@@ -42,7 +42,7 @@ TimeNs ParseTime(const TextLine& line, const fs::path& image, const fs::path& fi
     throw Error(
         fmt::format("{}'{}' is not the image {}", where, fields[0], image.filename().string()));
   }
-  return ParseSeconds(fields[1], where);
+  return ParseTime(fields[1], GuessTimeUnit(fields[1]), where);
 }
 
 }  // namespace
@@ -56,6 +56,9 @@ CameraParameters ReadTumMonoCamera(const fs::path& file) {
     throw Error(fmt::format("{}'{}': cx and cy must be fractions of the image's width and height",
                             LinePrefix(file, lines[0]), lines[0].text));
   }
+  const std::string where = LinePrefix(file, lines[1]);
+  CheckRange(where + "width", size[0], 1.0, 1e5);
+  CheckRange(where + "height", size[1], 1.0, 1e5);
   CameraParameters camera;
   camera.model = CameraModel::kFov;
   camera.width = static_cast<int>(size[0]);
@@ -85,14 +88,14 @@ ImageList ListTumMonoImages(const fs::path& input) {
   }
   const std::vector<fs::path> files = ImageFilesIn(folder);
   const fs::path times = input / kTimes;
-  const std::vector<TextLine> lines = ReadTextLines(times);
+  const std::vector<TextLine> lines = ReadTableLines(times);
   if (files.size() != lines.size()) {
     throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times.string(),
                             lines.size(), files.size(), folder.string()));
   }
   ImageList list{"tum-mono", {}, {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    list.images.push_back({files[i], ParseTime(lines[i], files[i], times)});
+    list.images.push_back({files[i], ParseRow(lines[i], files[i], times)});
   }
   if (fs::exists(input / kCamera)) list.camera = ReadTumMonoCamera(input / kCamera);
   return list;

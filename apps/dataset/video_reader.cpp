@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <opencv2/videoio.hpp>
 
+#include "apps/dataset/decoder_messages.h"
+#include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "orb/error.h"
 
@@ -26,7 +29,7 @@ class CaptureReader : public ImageReader {
     if (!Skip()) return std::nullopt;
     const std::string name = fmt::format("{}, frame {}", name_, index_);
     cv::Mat image;
-    if (!capture_.retrieve(image)) {
+    if (!Retrieve(image)) {
       return TimedImage{{},
                         {},
                         time_ns_,
@@ -39,19 +42,46 @@ class CaptureReader : public ImageReader {
   }
 
   bool Skip() override {
-    if (!capture_.grab()) return false;
+    if (!Grab()) return false;
     ++index_;
     time_ns_ = TimeOfGrabbed(capture_, index_, time_ns_);
     return true;
   }
 
  private:
+  bool Grab() {
+    DecoderMessages messages;
+    const bool is_grabbed = capture_.grab();
+    KeepComplaint(messages.Take());
+    return is_grabbed;
+  }
+
+  bool Retrieve(cv::Mat& image) {
+    bool is_retrieved = false;
+    {
+      DecoderMessages messages;
+      is_retrieved = capture_.retrieve(image);
+      KeepComplaint(messages.Take());
+    }
+    if (!complaint_.empty() && !has_complained_) {
+      spdlog::warn("{}, frame {}: the decoder says: {}", name_, index_, complaint_);
+      has_complained_ = true;
+    }
+    return is_retrieved;
+  }
+
+  void KeepComplaint(const std::string& complaint) {
+    if (complaint_.empty()) complaint_ = complaint;
+  }
+
   /// Returns the timestamp of the grabbed frame. `before` is the timestamp of the previous frame;
   /// it is ignored for the first.
   virtual TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) = 0;
 
   cv::VideoCapture capture_;
   std::string name_;
+  std::string complaint_;        ///< The first message of the decoder.
+  bool has_complained_ = false;  ///< Whether it was logged.
   int index_ = -1;
   TimeNs time_ns_ = 0;
 };
@@ -106,11 +136,16 @@ cv::VideoCapture OpenCapture(const Source& source, int backend) {
 }  // namespace
 
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
+  DecoderMessages messages;
   const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
   if (!capture.isOpened()) {
-    throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded",
-                            file.string()));
+    const std::string complaint = messages.Take();
+    throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded{}",
+                            file.string(), complaint.empty() ? "" : " (" + complaint + ")"));
   }
+  CheckRange(file.string() + ": number of pixels",
+             capture.get(cv::CAP_PROP_FRAME_WIDTH) * capture.get(cv::CAP_PROP_FRAME_HEIGHT), 0.0,
+             static_cast<double>(kMaxImagePixels));
   return std::make_unique<VideoReader>(capture, file.string(), frame_rate_hz);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/evaluation_report.h"
 
+#include <cmath>
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace corvo {
@@ -40,8 +43,10 @@ Json AlignmentJson(const Sim3& transform) {
           {"translation", {data[4], data[5], data[6]}}};
 }
 
-double PercentOfPath(const Evaluation& evaluation) {
-  return 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
+/// Returns std::nullopt if the ground truth stands still.
+std::optional<double> PercentOfPath(const Evaluation& evaluation) {
+  const double percent = 100 * evaluation.absolute.rmse / evaluation.truth_path_length;
+  return std::isfinite(percent) ? std::optional(percent) : std::nullopt;
 }
 
 std::string RelativeText(const std::string& name, const RelativeError& error) {
@@ -64,6 +69,7 @@ std::string DriftText(const Evaluation& evaluation) {
 }  // namespace
 
 Json ToJson(const ErrorStatistics& errors) {
+  if (errors.count == 0) return {{"count", 0}};
   return {{"count", errors.count},
           {"rmse", errors.rmse},
           {"mean", errors.mean},
@@ -79,7 +85,7 @@ Json ToJson(const Evaluation& evaluation) {
   json["max_dt_s"] = ToSeconds(*options.max_dt_ns);
   json["truth_path_length"] = evaluation.truth_path_length;
   json["ate"] = ToJson(evaluation.absolute);
-  json["ate"]["percent_of_path"] = PercentOfPath(evaluation);
+  if (const auto percent = PercentOfPath(evaluation)) json["ate"]["percent_of_path"] = *percent;
   json["rpe_frames"] =
       RelativeJson("frames", options.relative_delta_frames, evaluation.relative_frames);
   json["rpe_time"] =
@@ -99,6 +105,7 @@ Json ToJson(const Evaluation& evaluation) {
 
 std::string ToText(const std::string& name, const ErrorStatistics& errors,
                    const std::string& unit) {
+  if (errors.count == 0) return fmt::format("{:<22} none\n", name);
   return fmt::format("{:<22} rmse {:.6g}, mean {:.6g}, median {:.6g}, max {:.6g}{}\n", name,
                      errors.rmse, errors.mean, errors.median, errors.max, unit);
 }
@@ -108,8 +115,9 @@ std::string ToText(const Evaluation& evaluation) {
   std::string text =
       fmt::format("{:<22} {} pairs, {:.1f}% of the ground truth, path {:.6g}\n", "compared",
                   evaluation.num_pairs, 100 * evaluation.coverage, evaluation.truth_path_length);
+  const std::optional<double> percent = PercentOfPath(evaluation);
   text += ToText("ATE", evaluation.absolute,
-                 fmt::format(" ({:.3f}% of the path)", PercentOfPath(evaluation)));
+                 percent ? fmt::format(" ({:.3f}% of the path)", *percent) : "");
   text += RelativeText(fmt::format("RPE over {} frame{}", options.relative_delta_frames,
                                    options.relative_delta_frames == 1 ? "" : "s"),
                        evaluation.relative_frames);

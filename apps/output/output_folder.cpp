@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/output/durable_file.h"
+#include "apps/run/interruption.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -180,6 +181,7 @@ void OutputFolder::Commit(bool is_complete) {
 }
 
 void OutputFolder::MoveStagedIn() {
+  const InterruptionDeferral deferral;
   try {
     MoveIn(places_, is_torn_);
   } catch (const std::exception&) {

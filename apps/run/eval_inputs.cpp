@@ -64,7 +64,7 @@ PoseSequence WithTimesOf(const PoseFile& poses, const fs::path& file, const fs::
 }  // namespace
 
 EvalInputs ReadEvalInputs(const EvalFiles& files) {
-  EvalInputs inputs{FindEstimate(files.estimate), FindTruth(files), {}, {}};
+  EvalInputs inputs{FindEstimate(files.estimate), FindTruth(files), {}, {}, true};
   const PoseFile estimate = ReadPoseFile(inputs.estimate_file);
   const PoseFile truth = ReadTruthFile(inputs.truth_file);
   const fs::path times = FindTimes(files);
@@ -75,8 +75,14 @@ EvalInputs ReadEvalInputs(const EvalFiles& files) {
                     "each row (the sequence's times.txt)",
                     without.string()));
   }
+  if (!estimate.has_times() && !truth.has_times() && estimate.size() != truth.size()) {
+    throw Error(fmt::format("{}: {} poses, but {} in {}; KITTI files are compared row by row",
+                            inputs.estimate_file.string(), estimate.size(), truth.size(),
+                            inputs.truth_file.string()));
+  }
   inputs.estimate = WithTimesOf(estimate, inputs.estimate_file, times);
   inputs.truth = WithTimesOf(truth, inputs.truth_file, times);
+  inputs.has_times = estimate.has_times() || truth.has_times() || !times.empty();
   return inputs;
 }
 

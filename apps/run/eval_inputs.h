@@ -20,6 +20,7 @@ struct EvalInputs {
   std::filesystem::path truth_file;
   PoseSequence estimate;
   PoseSequence truth;
+  bool has_times = true;  ///< False for two KITTI files, whose rows are numbered.
 };
 
 /// Finds and reads both trajectories. Two files in KITTI format are compared row by row, as poses

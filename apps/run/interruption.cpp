@@ -1,17 +1,101 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/interruption.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
 #include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <ctime>
+#include <string_view>
+
+#include "apps/dataset/decoder_messages.h"
 
 namespace corvo {
 namespace {
 
+// A handler may only use lock-free atomics and functions that are async-signal-safe.
+static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<int> num_polls{0};        ///< Number of living Interruption objects.
+std::atomic<int> num_deferrals{0};    ///< Number of living InterruptionDeferral objects.
+std::atomic<int> requested{0};        ///< The signal that has arrived first, or 0.
+std::atomic<bool> is_noticed{false};  ///< Whether PendingSignal() has returned it.
+
+std::atomic<std::int64_t> requested_ms{0};  ///< When it has arrived.
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+
+/// Ends the process. Destructors do not run: what is staged is removed by the next run.
+[[noreturn]] void EndProcess(int signal) {
+  const std::string_view message = num_polls > 0
+                                       ? "corvo: error: interrupted\n"
+                                       : "corvo: error: interrupted; nothing was written\n";
+  constexpr std::string_view kEraseLine = "\r\x1b[K";
+  ssize_t ignored = 0;
+  const int out = UncaughtStandardError();
+  if (isatty(out) != 0) {
+    ignored = write(out, kEraseLine.data(), kEraseLine.size());
+  }
+  ignored = write(out, message.data(), message.size());
+  static_cast<void>(ignored);
+  _exit(ExitCodeOf(signal));
+}
+
+void StartTimer() {
+  itimerval patience{};
+  patience.it_value.tv_usec = 1000 * Interruption::kPatienceMs;
+  setitimer(ITIMER_REAL, &patience, nullptr);
+}
+
+void StopTimer() {
+  const itimerval none{};
+  setitimer(ITIMER_REAL, &none, nullptr);
+}
+
+std::int64_t NowMs() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return 1000 * std::int64_t{now.tv_sec} + now.tv_nsec / 1'000'000;
+}
+
+void OnSignal(int signal) {
+  int none = 0;
+  const bool is_first = requested.compare_exchange_strong(none, signal);
+  if (is_first) requested_ms = NowMs();
+  if (num_deferrals > 0) return;
+  if (num_polls == 0) EndProcess(signal);
+  if (is_first) {
+    StartTimer();
+  } else if (NowMs() - requested_ms > Interruption::kRepeatMs) {
+    EndProcess(signal);
+  }
+}
+
+void OnAlarm(int /*signal*/) {
+  if (num_deferrals == 0 && !is_noticed) EndProcess(requested);
+}
 
 bool IsIgnored(int signal) {
   struct sigaction action {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// Sets the handler of a signal, unless the signal is ignored.
+void Handle(int signal, void (*handler)(int), struct sigaction* before) {
+  if (IsIgnored(signal)) {
+    sigaction(signal, nullptr, before);
+    return;
+  }
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int other : kSignals) sigaddset(&action.sa_mask, other);
+  sigaddset(&action.sa_mask, SIGALRM);
+  sigaction(signal, &action, before);
 }
 
 }  // namespace
@@ -21,32 +105,41 @@ std::string_view SignalName(int signal) {
   return signal == SIGTERM ? "SIGTERM" : "SIGHUP";
 }
 
-Interruption::Interruption() {
-  sigemptyset(&signals_);
+void EndOnInterruption() {
   for (const int signal : kSignals) {
-    if (!IsIgnored(signal)) sigaddset(&signals_, signal);
+    struct sigaction ignored {};
+    Handle(signal, OnSignal, &ignored);
   }
-  pthread_sigmask(SIG_BLOCK, &signals_, &previous_);
+}
+
+Interruption::Interruption() {
+  requested = 0;
+  is_noticed = false;
+  ++num_polls;
+  Handle(SIGALRM, OnAlarm, &before_[kSignals.size()]);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) Handle(kSignals[i], OnSignal, &before_[i]);
 }
 
 Interruption::~Interruption() {
-  const timespec no_wait{};
-  while (sigtimedwait(&signals_, nullptr, &no_wait) > 0) {
-  }
-  pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+  StopTimer();
+  sigaction(SIGALRM, &before_[kSignals.size()], nullptr);
+  --num_polls;
+  requested = 0;
 }
 
 int Interruption::PendingSignal() const {
-  sigset_t pending;
-  sigpending(&pending);
-  for (const int signal : kSignals) {
-    if (sigismember(&pending, signal) == 1 && sigismember(&signals_, signal) == 1) return signal;
-  }
-  return 0;
+  const int signal = requested;
+  if (signal != 0) is_noticed = true;
+  return signal;
 }
 
 void Interruption::ThrowIfRequested() const {
   if (IsRequested()) throw Interrupted();
 }
+
+InterruptionDeferral::InterruptionDeferral() { ++num_deferrals; }
+
+InterruptionDeferral::~InterruptionDeferral() { --num_deferrals; }
 
 }  // namespace corvo

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands/number_option.h"
 #include "apps/dataset/ground_truth.h"
+#include "apps/dataset/image_header.h"
 #include "apps/dataset/shipped_cameras.h"
 #include "apps/dataset/tum_mono_sequence.h"
 #include "apps/run/camera_check.h"
@@ -135,7 +137,7 @@ void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& argum
       .add_option("--fov", arguments.fov_deg,
                   "approximate horizontal field of view, degrees; overrides the dataset's "
                   "calibration")
-      ->check(CLI::Range(kMinStatedFovDeg, kMaxStatedFovDeg))
+      ->check(NumberRange(kMinStatedFovDeg, kMaxStatedFovDeg))
       ->excludes(camera)
       ->excludes(focal);
 }
@@ -159,6 +161,8 @@ cv::Size ParseResize(const std::string& text, const cv::Size& size) {
                                   : ParseNumber(text.substr(cross + 1), where);
   CheckRange(where + "width", width, 16.0, 1e5);
   CheckRange(where + "height", height, 16.0, 1e5);
+  CheckRange(where + "number of pixels", static_cast<std::int64_t>(width * height),
+             std::int64_t{16 * 16}, kMaxImagePixels);
   return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
 }
 
@@ -184,7 +188,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--fps", arguments.frame_rate_hz,
                   "frame rate of images without timestamps, Hz; overrides a video's timestamps")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(NumberRange(1e-3, 1e6));
   command.add_flag("--strict", arguments.strict,
                    "make an image that cannot be read or has another size an error; otherwise its "
                    "frame has no pose and tracking goes on");

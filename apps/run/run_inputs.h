@@ -62,7 +62,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments);
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption);
 
 /// Returns the size given by "WxH", or `size` times the given factor, rounded. Throws corvo::Error
-/// for any other text and for a size outside 16 to 100000 px.
+/// for any other text, for a size outside 16 to 100000 px, and for more than kMaxImagePixels.
 cv::Size ParseResize(const std::string& text, const cv::Size& size);
 
 }  // namespace corvo

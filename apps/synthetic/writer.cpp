@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/synthetic/writer.h"
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMarker = "synthetic.yaml";
+/// The files and folders of the images and texts of all layouts.
+constexpr std::array<const char*, 6> kWritten = {"rgb",          "rgb.txt",      "groundtruth.txt",
+                                                 "sequences/00", "poses/00.txt", "mav0"};
+/// The largest number of pixels of a rendered image.
+constexpr std::int64_t kMaxPixels = 100'000'000;
 
 void WriteImage(const fs::path& file, const cv::Mat& image) {
   // Unlike cv::imwrite(), WriteText() notices a full disk.
@@ -40,10 +47,7 @@ void ClaimFolder(const fs::path& folder, bool force) {
   }
   MakeFolder(folder);
   if (fs::exists(folder / kMarker)) {
-    for (const char* name :
-         {"rgb", "rgb.txt", "groundtruth.txt", "sequences/00", "poses/00.txt", "mav0"}) {
-      fs::remove_all(folder / name);
-    }
+    for (const char* name : kWritten) fs::remove_all(folder / name);
   } else if (!fs::is_empty(folder) && !force) {
     throw Error(
         fmt::format("{}: contains files that are not a synthetic sequence; choose another folder, "
@@ -98,6 +102,11 @@ void WriteTumTexts(const Sequence& sequence, const fs::path& folder) {
   WriteText(folder / "groundtruth.txt", truth);
 }
 
+void CheckNumPixels(const Camera& camera) {
+  const std::int64_t num_pixels = std::int64_t{camera.width()} * camera.height();
+  CheckRange("number of pixels of an image", num_pixels, std::int64_t{1}, kMaxPixels);
+}
+
 /// Throws corvo::Error if the layout cannot represent the camera.
 void CheckLayout(const CameraParameters& camera, Layout layout) {
   const bool pinhole = camera.model == CameraModel::kPinhole;
@@ -148,9 +157,15 @@ void WriteTexts(const Sequence& sequence, const fs::path& folder, Layout layout)
 
 }  // namespace
 
+void RemoveSequence(const fs::path& folder) {
+  for (const char* name : kWritten) fs::remove_all(folder / name);
+  for (const char* name : {"camera.yaml", kMarker}) fs::remove(folder / name);
+}
+
 void WriteSequence(const Sequence& sequence, const fs::path& folder, Layout layout, bool force,
                    const std::function<void(int)>& progress) {
   CheckLayout(sequence.camera().parameters(), layout);
+  CheckNumPixels(sequence.camera());
   ClaimFolder(folder, force);
   WriteText(folder / kMarker, Description(sequence));
   WriteText(folder / "camera.yaml", CameraYaml(sequence));

@@ -15,6 +15,9 @@ enum class Layout {
            ///< state_groundtruth_estimate0/data.csv}.
 };
 
+/// Removes everything that WriteSequence() wrote to the folder.
+void RemoveSequence(const std::filesystem::path& folder);
+
 /// Writes the images and the ground truth of a sequence, `camera.yaml` (corvo's camera file) and
 /// `synthetic.yaml` (the options of the rendering, which also marks the folder). `progress`, if
 /// given, is called with the number of frames written.

@@ -105,6 +105,20 @@ CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
   return process.Wait();
 }
 
+CommandResult InterruptCorvoAtPipe(const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& pipe, int signal) {
+  Process process(CORVO_COMMAND, arguments, environ, "");
+  int writer = -1;  // It can be opened as soon as there is a reader.
+  while (!process.HasEnded() && writer < 0) {
+    writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+    usleep(1000);
+  }
+  if (!process.HasEnded()) kill(process.id(), signal);
+  const CommandResult result = process.Wait();
+  close(writer);
+  return result;
+}
+
 CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) {

@@ -28,6 +28,10 @@ CommandResult RunProgram(const std::string& program, const std::vector<std::stri
 CommandResult InterruptCorvo(const std::vector<std::string>& arguments,
                              const std::filesystem::path& file, int signal);
 
+/// Runs `corvo` and sends it a signal while it reads the named pipe `pipe`.
+CommandResult InterruptCorvoAtPipe(const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& pipe, int signal);
+
 /// Runs `corvo` with a terminal as standard error; `err` is the output there.
 CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments);
 

@@ -256,7 +256,7 @@ TEST_F(Run, ErrorsNameAStatedFocalLengthOutOfRange) {
   };
   ExpectError(run({"--focal", "5"}), "--focal is 5; allowed is 12.9 to 1099.4 px");
   ExpectError(run({"--focal", "wide"}), "--focal is \"wide\"; allowed is auto, or a focal length");
-  EXPECT_THAT(run({"--fov", "200"}).err, HasSubstr("--fov: Value 200 not in range 5.0"));
+  EXPECT_THAT(run({"--fov", "200"}).err, HasSubstr("--fov: 200 is not a number from 5 to 150"));
   EXPECT_THAT(run({"--fov", "70", "--focal", "80"}).err, HasSubstr("excludes --f"));
   EXPECT_THAT(RunHere({"--fov", "70"}).err, HasSubstr("--camera excludes --fov"));
   EXPECT_EQ(RunHere({"--fov", "70"}).exit_code, kBadInput);

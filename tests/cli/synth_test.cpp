@@ -55,9 +55,9 @@ TEST(Synth, EurocSequencesNeedNoCameraFile) {
 
 TEST(Synth, ErrorsNameValuesOutOfRange) {
   const TempFolder folder;
-  for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "exposure_drift is 9"},
-                                               {"--moving", "1", "moving_share is 1"},
-                                               {"--dark", "-1,2", "dark start is -1"},
+  for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "--drift: 9"},
+                                               {"--moving", "1", "--moving: 1"},
+                                               {"--dark", "-1,2", "--dark: -1"},
                                                {"--blur", "1", "--blur"},
                                                {"--layout", "bag", "bag"}}) {
     const CommandResult result = Synth("room", folder / "out", {option, value});

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <vector>
@@ -372,6 +374,46 @@ TEST(OdometryTest, InvalidOptionsThrow) {
   options.tracker.min_inliers = 3;
   EXPECT_THAT([&] { Odometry(test::PinholeCamera(), options); },
               test::ThrowsError("tracker.min_inliers", "3"));
+}
+
+TEST(OdometryTest, AMovedFromObjectThrowsUntilAnotherIsAssignedToIt) {
+  const std::vector<cv::Mat> images = MakeDrive(3, 1);
+  Odometry first(test::PinholeCamera());
+  first.Process(images[0], kFrameTime);
+  Odometry second = std::move(first);
+  const auto expect_error = [](const std::function<void()>& use) {
+    EXPECT_THAT(use, test::ThrowsError("moved from"));
+  };
+  expect_error([&] { first.Process(images[1], 2 * kFrameTime); });
+  expect_error([&] { first.Finish(); });
+  expect_error([&] { first.Reset(); });
+  expect_error([&] { first.GetTrajectory(); });
+  expect_error([&] { first.map(); });
+  expect_error([&] { first.camera(); });
+  expect_error([&] { first.camera_prior(); });
+  expect_error([&] { first.camera_estimate(); });
+  expect_error([&] { first.prior_rejected(); });
+  expect_error([&] { first.options(); });
+  expect_error([&] { first.memory_use(); });
+  expect_error([&] { first.last_frame(); });
+  expect_error([&] { first.SetLandmarkCallback({}); });
+  expect_error([&] { first.SetObservationCallback({}); });
+  first = std::move(second);
+  first.Process(images[1], 2 * kFrameTime);
+  EXPECT_EQ(first.GetTrajectory().frames.size(), 2u);
+  second = Odometry(test::PinholeCamera());
+  second.Process(images[0], kFrameTime);
+  EXPECT_EQ(second.Finish().frames.size(), 1u);
+}
+
+TEST(OdometryTest, TimesWhoseDifferencesOverflowAreErrors) {
+  const cv::Mat image = MakeDrive(1, 1)[0];
+  for (const TimeNs time_ns :
+       {std::numeric_limits<TimeNs>::min(), std::numeric_limits<TimeNs>::max()}) {
+    Odometry odometry(test::PinholeCamera());
+    EXPECT_THAT([&] { odometry.Process(image, time_ns); }, test::ThrowsError("time of a frame"));
+    EXPECT_TRUE(odometry.GetTrajectory().frames.empty());
+  }
 }
 
 }  // namespace

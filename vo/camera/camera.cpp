@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "orb/error.h"
 #include "vo/camera/projection_fov.h"
 #include "vo/camera/projection_kannala_brandt.h"
 #include "vo/camera/projection_radtan.h"
@@ -58,8 +59,11 @@ std::optional<Eigen::Vector2d> Camera::Project(const Eigen::Vector3d& point_in_c
   if (jacobian) {
     const Eigen::Matrix2d by_normalized = focals.asDiagonal() * distorted.jacobian / z;
     *jacobian << by_normalized, -by_normalized * normalized;
+    if (!jacobian->allFinite()) return std::nullopt;
   }
-  return focals.cwiseProduct(distorted.point) + Eigen::Vector2d(cx(), cy());
+  const Eigen::Vector2d pixel = focals.cwiseProduct(distorted.point) + Eigen::Vector2d(cx(), cy());
+  if (!pixel.allFinite()) return std::nullopt;
+  return pixel;
 }
 
 std::optional<Eigen::Vector2d> Camera::Undistort(const Eigen::Vector2d& pixel) const {
@@ -77,6 +81,7 @@ std::optional<Eigen::Vector2d> Camera::Undistort(const Eigen::Vector2d& pixel) c
 }
 
 double Camera::FocalAt(const Eigen::Vector2d& ray) const {
+  if (!ray.allFinite()) throw Error("FocalAt: the ray is not finite");
   if (parameters_.model == CameraModel::kPinhole) return focal();
   const Eigen::Matrix2d pixel_by_ray =
       Eigen::Vector2d(fx(), fy()).asDiagonal() * Distort(parameters_, ray).jacobian;

@@ -26,7 +26,8 @@ class Camera {
   static std::optional<Camera> Make(const CameraParameters& parameters);
 
   /// Returns the pixel of a point, which may lie outside the image, or std::nullopt if z <= 0 or
-  /// the point is outside max_radius(). `jacobian`, if given, is set to d pixel / d point.
+  /// the point is outside max_radius(), or if a result would not be finite. `jacobian`, if given,
+  /// is set to d pixel / d point.
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& point_in_camera,
                                          Jacobian* jacobian = nullptr) const;
 
@@ -50,7 +51,7 @@ class Camera {
   /// Returns the focal length around a ray inside max_radius(), px per unit of (x/z, y/z): pixel
   /// noise divided by it is the noise of the ray, root mean square of both axes. It decreases
   /// toward the border of a wide lens. For the pinhole model, distortion is small and neglected,
-  /// and the result is focal().
+  /// and the result is focal(). Throws corvo::Error if the ray is not finite.
   double FocalAt(const Eigen::Vector2d& ray) const;
 
   /// Returns the limit on |(x/z, y/z)| below which the model holds. Up to this limit the distorted

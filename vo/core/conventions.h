@@ -26,6 +26,10 @@ inline constexpr int kNoId = -1;  ///< The absence of a keyframe, landmark or ke
 
 using TimeNs = std::int64_t;
 
+/// The largest magnitude of a time of a frame or pose (146 years), so that differences of times do
+/// not overflow.
+inline constexpr TimeNs kMaxTimeNs = TimeNs{1} << 62;
+
 inline double ToSeconds(TimeNs time_ns) { return 1e-9 * static_cast<double>(time_ns); }
 
 }  // namespace corvo

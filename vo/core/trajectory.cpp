@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "vo/core/trajectory.h"
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 
+#include "orb/error.h"
+
 namespace corvo {
+
+void CheckPose(const std::string& name, const SE3& pose) {
+  constexpr std::array<const char*, 3> kAxes = {" x", " y", " z"};
+  for (int i = 0; i < 3; ++i) {
+    CheckRange(name + ":" + kAxes[i], pose.translation()[i], -kMaxCoordinate, kMaxCoordinate);
+  }
+  if (pose.rotation().quaternion().coeffs().allFinite()) return;
+  throw Error(name + ": the rotation is not finite");
+}
 
 PoseSequence Trajectory::PosedFrames() const {
   PoseSequence poses;
@@ -49,6 +62,8 @@ std::vector<Segment> Trajectory::Segments() const {
 }
 
 Trajectory Scale(double scale, Trajectory trajectory) {
+  CheckRange("scale", scale, std::numeric_limits<double>::min(),
+             std::numeric_limits<double>::max());
   for (FrameResult& frame : trajectory.frames) {
     if (!frame.world_from_camera) continue;
     const SE3& pose = *frame.world_from_camera;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "vo/core/frame_result.h"
@@ -8,6 +9,13 @@
 #include "vo/lie/se3.h"
 
 namespace corvo {
+
+/// The largest magnitude of a coordinate of a position that is read, evaluated or written.
+inline constexpr double kMaxCoordinate = 1e24;
+
+/// Throws corvo::Error, whose message starts with `name`, unless the pose is finite and every
+/// coordinate of its position is -kMaxCoordinate to kMaxCoordinate.
+void CheckPose(const std::string& name, const SE3& pose);
 
 /// A pose and its timestamp: x_in_world = world_from_camera * x_in_camera.
 struct TimedPose {
@@ -31,7 +39,8 @@ struct Trajectory {
   std::vector<Segment> Segments() const;
 };
 
-/// Returns the trajectory with all translations multiplied by `scale`.
+/// Returns the trajectory with all translations multiplied by `scale`. Throws corvo::Error unless
+/// the scale is finite and above 0.
 Trajectory Scale(double scale, Trajectory trajectory);
 
 }  // namespace corvo

@@ -49,6 +49,15 @@ int NearestWithin(const PoseSequence& poses, TimeNs time_ns, TimeNs max_dt_ns) {
   return within ? nearest : kNoId;
 }
 
+/// Throws corvo::Error naming the first pose that is not finite or out of range.
+void CheckPoses(std::string_view name, const PoseSequence& poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string pose = fmt::format("pose {} of the {}", i, name);
+    CheckRange(pose + ": time in ns", poses[i].time_ns, -kMaxTimeNs, kMaxTimeNs);
+    CheckPose(pose, poses[i].world_from_camera);
+  }
+}
+
 /// The positions of pairs, one in each column.
 struct Positions {
   Eigen::Matrix3Xd estimate, truth;
@@ -69,8 +78,10 @@ void CheckAlignable(const Positions& positions) {
     throw Error(fmt::format("alignment needs 3 pairs of poses or more; there are {}", count));
   }
   const auto all_equal = [](const Eigen::Matrix3Xd& points) {
+    // The squares of smaller distances would underflow.
+    constexpr double kLeastDistance = 1e-100;
     return (points.colwise() - points.col(0)).cwiseAbs().maxCoeff() <=
-           1e-12 * points.cwiseAbs().maxCoeff();
+           std::max(kLeastDistance, 1e-12 * points.cwiseAbs().maxCoeff());
   };
   if (all_equal(positions.estimate)) throw Error("alignment: all estimated positions are equal");
   if (all_equal(positions.truth)) throw Error("alignment: all true positions are equal");
@@ -181,14 +192,14 @@ Alignment ParseAlignment(std::string_view name) {
 
 TimeNs HalfFrame(const PoseSequence& poses) {
   constexpr TimeNs kWithoutFrames = 20'000'000;
-  std::vector<TimeNs> steps;
+  std::vector<std::uint64_t> steps;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    steps.push_back(poses[i].time_ns - poses[i - 1].time_ns);
+    steps.push_back(TimeBetween(poses[i].time_ns, poses[i - 1].time_ns));
   }
   if (steps.empty()) return kWithoutFrames;
   const auto median = steps.begin() + steps.size() / 2;
   std::nth_element(steps.begin(), median, steps.end());
-  return *median / 2;
+  return static_cast<TimeNs>(*median / 2);
 }
 
 std::vector<PosePair> Associate(const PoseSequence& estimate, const PoseSequence& truth,
@@ -342,6 +353,8 @@ double PathLength(const PoseSequence& poses) {
 
 Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
                     const EvaluationOptions& options) {
+  CheckPoses("estimate", estimate);
+  CheckPoses("ground truth", truth);
   const TimeNs max_dt_ns = options.max_dt_ns.value_or(HalfFrame(estimate));
   const std::vector<PosePair> pairs = Associate(estimate, truth, max_dt_ns);
   if (pairs.empty()) {

@@ -143,8 +143,9 @@ struct Evaluation {
   std::optional<ScaleDrift> scale_drift;
 };
 
-/// Evaluates an estimate against the ground truth. Throws corvo::Error if no poses are near each
-/// other in time, or if they cannot be aligned.
+/// Evaluates an estimate against the ground truth. Throws corvo::Error if a pose is not finite or
+/// out of range (see CheckPose() and kMaxTimeNs), if no poses are near each other in time, or if
+/// they cannot be aligned.
 Evaluation Evaluate(const PoseSequence& estimate, const PoseSequence& truth,
                     const EvaluationOptions& options = {});
 

@@ -8,8 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -20,6 +18,7 @@
 
 #include "orb/error.h"
 #include "vo/core/option_fields.h"
+#include "vo/io/yaml_document.h"
 
 namespace corvo {
 namespace {
@@ -278,25 +277,6 @@ class FieldWriter {
   std::string& text_;
 };
 
-std::string ReadBytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file)) throw Error(file.string() + ": cannot be read");
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-/// Returns the one document of a file. Throws corvo::Error if the file cannot be read, is not YAML
-/// or holds more than one document.
-YAML::Node Load(const fs::path& file) {
-  const std::string text = ReadBytes(file);
-  try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) throw Error(file.string() + ": holds more than one document");
-    return documents.empty() ? YAML::Node() : documents.front();
-  } catch (const YAML::Exception& error) {
-    throw Error(Where(file, error.mark) + error.msg);
-  }
-}
-
 std::vector<std::string> SectionNames(const OdometryOptions& options) {
   std::vector<std::string> names;
   OdometryOptions::VisitSections(options, [&](const char* name, const auto& fields) {
@@ -382,7 +362,7 @@ CameraPrior CameraFile::Prior(const CalibrationOptions& options) const {
 
 OdometryOptions ReadOptions(const fs::path& file) {
   OdometryOptions options;
-  const Section root(file, "", Load(file));
+  const Section root(file, "", ReadYaml(file));
   root.CheckKeys(SectionNames(options));
   OdometryOptions::VisitSections(options, [&root](const char* name, auto& fields) {
     const YAML::Node node = root.Find(name);
@@ -411,7 +391,7 @@ std::string WriteOptions(const OdometryOptions& options) {
 
 CameraFile ReadCameraFile(const fs::path& file) {
   CameraParameters parameters;
-  const Section root(file, "", Load(file));
+  const Section root(file, "", ReadYaml(file));
   std::vector<std::string> known = {"model", "frame_rate_hz", "source", kSigma};
   CameraParameters::VisitAll(parameters, NameCollector{known});
   root.CheckKeys(known);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "vo/io/decimal_time.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -13,7 +15,34 @@
 namespace corvo {
 namespace {
 
-constexpr int kNanosecondDigits = 9;
+/// Returns the number of decimals of a time in nanoseconds, if it is written in `unit`.
+int NumDecimals(TimeUnit unit) {
+  switch (unit) {
+    case TimeUnit::kSeconds:
+      return 9;
+    case TimeUnit::kMilliseconds:
+      return 6;
+    case TimeUnit::kMicroseconds:
+      return 3;
+    case TimeUnit::kNanoseconds:
+      break;
+  }
+  return 0;
+}
+
+std::string_view NameOf(TimeUnit unit) {
+  switch (unit) {
+    case TimeUnit::kSeconds:
+      return "seconds";
+    case TimeUnit::kMilliseconds:
+      return "milliseconds";
+    case TimeUnit::kMicroseconds:
+      return "microseconds";
+    case TimeUnit::kNanoseconds:
+      break;
+  }
+  return "nanoseconds";
+}
 
 template <typename Integer>
 std::optional<Integer> ParseInteger(std::string_view text) {
@@ -74,19 +103,41 @@ std::optional<TimeNs> Round(Decimal decimal) {
   }
   const auto magnitude = ParseInteger<TimeNs>(decimal.digits);
   if (!magnitude) return std::nullopt;
+  if (round_up && *magnitude == std::numeric_limits<TimeNs>::max()) return std::nullopt;
   const TimeNs rounded = *magnitude + (round_up ? 1 : 0);
   return decimal.negative ? -rounded : rounded;
 }
 
 }  // namespace
 
-TimeNs ParseSeconds(std::string_view text, std::string_view where) {
+TimeUnit GuessTimeUnit(std::string_view text) {
+  const std::optional<Decimal> decimal = ParseDecimal(text);
+  if (!decimal) return TimeUnit::kSeconds;
+  const std::size_t first =
+      std::min(decimal->digits.find_first_not_of('0'), decimal->digits.size());
+  const int num_digits = static_cast<int>(decimal->digits.size() - first) + decimal->exponent;
+  if (num_digits >= 18) return TimeUnit::kNanoseconds;
+  if (num_digits >= 15) return TimeUnit::kMicroseconds;
+  return num_digits >= 12 ? TimeUnit::kMilliseconds : TimeUnit::kSeconds;
+}
+
+TimeUnit GuessEurocTimeUnit(std::string_view text) {
+  const bool has_point = text.find('.') != std::string_view::npos;
+  const bool is_in_seconds = has_point && GuessTimeUnit(text) == TimeUnit::kSeconds;
+  return is_in_seconds ? TimeUnit::kSeconds : TimeUnit::kNanoseconds;
+}
+
+TimeNs ParseTime(std::string_view text, TimeUnit unit, std::string_view where) {
   std::optional<Decimal> decimal = ParseDecimal(text);
   if (decimal) {
-    decimal->exponent += kNanosecondDigits;
+    decimal->exponent += NumDecimals(unit);
     if (const auto time_ns = Round(*decimal)) return *time_ns;
   }
-  throw Error(fmt::format("{}'{}' is not a time in seconds", where, text));
+  throw Error(fmt::format("{}'{}' is not a time in {}", where, text, NameOf(unit)));
+}
+
+TimeNs ParseSeconds(std::string_view text, std::string_view where) {
+  return ParseTime(text, TimeUnit::kSeconds, where);
 }
 
 std::string FormatSeconds(TimeNs time_ns) {
@@ -97,8 +148,13 @@ std::string FormatSeconds(TimeNs time_ns) {
 }
 
 TimeNs ParseNanoseconds(std::string_view text, std::string_view where) {
-  if (const auto time_ns = ParseInteger<TimeNs>(text)) return *time_ns;
-  throw Error(fmt::format("{}'{}' is not a time in nanoseconds", where, text));
+  return ParseTime(text, TimeUnit::kNanoseconds, where);
+}
+
+void CheckAscends(TimeNs time_ns, const TimeNs* before_ns, std::string_view where) {
+  if (before_ns == nullptr || time_ns > *before_ns) return;
+  throw Error(fmt::format("{}time {} s does not lie after that of the pose before, {} s", where,
+                          FormatSeconds(time_ns), FormatSeconds(*before_ns)));
 }
 
 }  // namespace corvo

@@ -30,6 +30,7 @@ Eigen::Matrix3d TranslationMap(const Eigen::Vector3d& omega, double sigma) {
 
 Sim3::Sim3(double scale, const SO3& rotation, const Eigen::Vector3d& translation)
     : scale_(scale), rotation_(rotation), translation_(translation) {
+  if (!translation.allFinite()) throw Error("translation of a similarity is not finite");
   if (scale > 0 && std::isfinite(scale)) return;
   std::ostringstream message;
   message << "scale of a similarity is " << scale << "; allowed is finite and above 0";
@@ -39,6 +40,7 @@ Sim3::Sim3(double scale, const SO3& rotation, const Eigen::Vector3d& translation
 Sim3::Sim3(const SE3& rigid) : Sim3(1, rigid.rotation(), rigid.translation()) {}
 
 Sim3 Sim3::Exp(const Tangent& tangent) {
+  if (!tangent.allFinite()) throw Error("tangent of a similarity is not finite");
   const Eigen::Vector3d omega = tangent.segment<3>(3);
   const double sigma = tangent(6);
   return Sim3(std::exp(sigma), SO3::Exp(omega), TranslationMap(omega, sigma) * tangent.head<3>());

@@ -23,7 +23,7 @@ class Sim3 {
 
   /// Constructs the identity.
   Sim3() = default;
-  /// Throws corvo::Error unless the scale is finite and above 0.
+  /// Throws corvo::Error unless all numbers are finite and the scale is above 0.
   Sim3(double scale, const SO3& rotation, const Eigen::Vector3d& translation);
   /// Constructs a similarity of scale 1.
   explicit Sim3(const SE3& rigid);

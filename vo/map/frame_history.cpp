@@ -46,6 +46,7 @@ FrameResult RepeatOf(FrameResult original, const FrameOutcome& repeat) {
 }  // namespace
 
 void FrameHistory::CheckNext(TimeNs time_ns) const {
+  CheckRange("time of a frame in ns", time_ns, -kMaxTimeNs, kMaxTimeNs);
   if (records_.empty() || time_ns > records_.back().outcome.time_ns) return;
   throw Error(fmt::format("time of frame {} is {} ns; it must be after the frame before, {} ns",
                           size(), time_ns, records_.back().outcome.time_ns));

@@ -34,8 +34,8 @@ struct Refinement {
 /// odometry's estimate. A camera that the odometry treats as exact is constant. Then every other
 /// posed frame is located again, see OptimizePose(); if it has too few inliers, it moves with the
 /// adjusted frame before it. Frames without a pose are unchanged. The size of the adjustment grows
-/// only with the number of keyframes. `log` must have recorded the odometry from its first image
-/// on. The result is deterministic.
+/// only with the number of keyframes. The result is deterministic. Throws corvo::Error if an option
+/// is out of range, or if `log` did not record this odometry from its first image on.
 Refinement Refine(const Odometry& odometry, const ObservationLog& log,
                   const RefinerOptions& options = {}, const AdjustmentProgress& progress = {});
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "orb/error.h"
+#include "vo/offline/log_check.h"
 #include "vo/optimization/point_selection.h"
 
 namespace corvo {
@@ -55,8 +57,12 @@ void AddPoints(const std::unordered_map<LandmarkId, Eigen::Vector3d>& in_world,
 SequenceRecord::SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                                const SequenceOptions& options)
     : options_(options) {
+  CheckRange("frames_between", options.frames_between, 0, 1'000'000);
+  CheckRange("max_frames", options.max_frames, 1, 1'000'000'000);
+  CheckRange("max_points", options.max_points, 1, 1'000'000'000);
   const Map& map = odometry.map();
   const Trajectory trajectory = odometry.GetTrajectory();
+  CheckLog(odometry, trajectory, log);
   std::set<FrameKey> others;
   const auto keep = [&](const FrameObservations& seen) {
     // The odometry may have discarded the poses of a frame and started anew.

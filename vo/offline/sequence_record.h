@@ -37,7 +37,8 @@ struct AdjustedFrame {
 /// keyframes and some frames between them. Merged landmarks have their final ids.
 class SequenceRecord {
  public:
-  /// `log` must have recorded the odometry from its first image on.
+  /// Throws corvo::Error if an option is out of range, or if `log` did not record this odometry
+  /// from its first image on, see CheckLog().
   SequenceRecord(const Odometry& odometry, const ObservationLog& log,
                  const SequenceOptions& options);
 

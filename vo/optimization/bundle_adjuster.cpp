@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "orb/error.h"
 #include "vo/math/chi_square.h"
 #include "vo/math/huber.h"
 #include "vo/optimization/bundle_problem.h"
@@ -137,6 +139,20 @@ class Adjustment {
 };
 
 }  // namespace
+
+void AdjustmentOptions::Validate() const {
+  constexpr int kMaxCount = 1'000'000;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  CheckRange("adjustment.num_rounds", num_rounds, 0, kMaxCount);
+  CheckRange("adjustment.max_iterations", max_iterations, 0, kMaxCount);
+  CheckRange("adjustment.huber_sigmas", huber_sigmas, 1e-6, 1e6);
+  CheckRange("adjustment.max_initial_error_sigmas", max_initial_error_sigmas, 0.0, kInfinity);
+  CheckRange("adjustment.max_error_sigmas", max_error_sigmas, 0.0, kInfinity);
+  CheckRange("adjustment.information_factor", information_factor, 1e-12, 1e12);
+  CheckRange("adjustment.points_per_view", points_per_view, 0, kMaxCount);
+  CheckRange("adjustment.point_iterations", point_iterations, 0, kMaxCount);
+  CheckRange("adjustment.max_dense_views", max_dense_views, 0, kMaxCount);
+}
 
 AdjustmentOptions WindowAdjustment(const BundleAdjusterOptions& options) {
   AdjustmentOptions adjustment;

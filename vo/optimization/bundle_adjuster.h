@@ -33,6 +33,9 @@ struct AdjustmentOptions {
   int points_per_view = 0;
   int point_iterations = 5;   ///< Largest number of iterations of one of these points.
   int max_dense_views = 300;  ///< Sparse linear algebra is used for more views.
+
+  /// Throws corvo::Error naming the first field out of range.
+  void Validate() const;
 };
 
 /// Returns the options for adjusting a window, given the user's options.
@@ -62,7 +65,10 @@ struct AdjustmentSummary {
 /// Adjusts poses, points and the camera of bundles.
 class BundleAdjuster {
  public:
-  explicit BundleAdjuster(const AdjustmentOptions& options) : options_(options) {}
+  /// Throws corvo::Error naming the first option out of range.
+  explicit BundleAdjuster(const AdjustmentOptions& options) : options_(options) {
+    options.Validate();
+  }
 
   /// Minimizes the robust reprojection error (Huber) over the free views, the points of bundles
   /// that were all observed by one camera, and the free parameters of the camera, which has the

@@ -243,5 +243,27 @@ TEST(CameraTest, MakeReturnsNulloptIfTheConstructorThrows) {
   EXPECT_THROW(Camera{parameters}, Error);
 }
 
+TEST(CameraTest, ReturnsNoPixelThatIsNotFinite) {
+  CameraParameters parameters;
+  parameters.width = 640;
+  parameters.height = 480;
+  parameters.fx = parameters.fy = 1e6;
+  const Camera camera(parameters);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  Camera::Jacobian jacobian;
+  for (const Eigen::Vector3d& point :
+       {Eigen::Vector3d(1e150, 0, 1e-155), Eigen::Vector3d(1e305, 0, 1), Eigen::Vector3d(nan, 0, 1),
+        Eigen::Vector3d(0, 0, nan), Eigen::Vector3d(infinity, 0, 1)}) {
+    EXPECT_FALSE(camera.Project(point)) << point.transpose();
+    EXPECT_FALSE(camera.Project(point, &jacobian)) << point.transpose();
+  }
+  EXPECT_FALSE(camera.Project({0, 0, 1e-305}, &jacobian));
+  EXPECT_FALSE(camera.Undistort({nan, 0}));
+  EXPECT_THAT([&] { camera.FocalAt({nan, 0}); }, test::ThrowsError("not finite"));
+  parameters.fx = nan;
+  EXPECT_THAT([&] { Camera{parameters}; }, test::ThrowsError("camera.fx is nan"));
+}
+
 }  // namespace
 }  // namespace corvo

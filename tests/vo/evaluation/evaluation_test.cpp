@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "tests/support/data.h"
 #include "tests/support/matchers.h"
@@ -412,6 +413,27 @@ TEST(EvaluateTest, RealGroundTruthHasNoErrorAgainstItself) {
   ASSERT_TRUE(evaluation.kitti);
   EXPECT_LT(evaluation.kitti->t_rel_percent, 1e-9);
   EXPECT_LT(evaluation.kitti->r_rel_deg_per_100m, 1e-9);
+}
+
+TEST(EvaluateTest, PosesThatNoComputationHoldsAreErrors) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  PoseSequence good;
+  for (int i = 0; i < 5; ++i) good.push_back({i * kSecond, At(i, i % 2, i % 3)});
+  for (const double bad : {nan, std::numeric_limits<double>::infinity(), 1e160, -1e160}) {
+    PoseSequence wrong = good;
+    wrong[3].world_from_camera = At(0, bad);
+    EXPECT_THAT([&] { Evaluate(wrong, good); }, ThrowsError("pose 3 of the estimate: y is"));
+    EXPECT_THAT([&] { Evaluate(good, wrong); }, ThrowsError("pose 3 of the ground truth: y is"));
+  }
+  PoseSequence late = good;
+  late.back().time_ns = std::numeric_limits<TimeNs>::max();
+  EXPECT_THAT([&] { Evaluate(late, good); }, ThrowsError("pose 4 of the estimate: time"));
+  EXPECT_EQ(
+      HalfFrame(Stamped({std::numeric_limits<TimeNs>::min(), std::numeric_limits<TimeNs>::max()})),
+      std::numeric_limits<TimeNs>::max());
+  PoseSequence tiny = good;
+  for (TimedPose& pose : tiny) pose.world_from_camera = At(1e-170 * (pose.time_ns % 7));
+  EXPECT_THAT([&] { Evaluate(tiny, good); }, ThrowsError("estimated positions are equal"));
 }
 
 }  // namespace

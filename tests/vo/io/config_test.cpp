@@ -140,6 +140,7 @@ TEST_F(OptionsFileTest, FilesThatAreNotMappingsAreErrors) {
   EXPECT_THAT([&] { Read("- a\n- b\n"); }, ThrowsError("a.yaml", "key: value"));
   EXPECT_THAT([&] { Read("extractor: 5\n"); }, ThrowsError("a.yaml:1: extractor", "key: value"));
   EXPECT_THAT([&] { Read("extractor:\n  [unclosed\n"); }, ThrowsError("a.yaml:"));
+  EXPECT_THAT([&] { Read("&a,"); }, ThrowsError("a.yaml:1: "));
   EXPECT_THAT([&] { Read("{[1, 2]: 3}\n"); }, ThrowsError("a.yaml:1: "));
   EXPECT_THAT([&] { Read("extractor:\n---\nextractor:\n"); },
               ThrowsError("more than one document"));

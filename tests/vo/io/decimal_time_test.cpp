@@ -43,6 +43,27 @@ TEST(ParseSeconds, RejectsInvalidTimes) {
   }
 }
 
+TEST(ParseSeconds, RejectsWhatRoundingMakesTooLarge) {
+  EXPECT_EQ(ParseSeconds("9223372036.8547758074", ""), 9223372036854775807);
+  EXPECT_EQ(ParseSeconds("-9223372036.8547758074", ""), -9223372036854775807);
+  for (const char* text : {"9223372036.8547758075", "-9223372036.8547758075", "9223372036.9"}) {
+    EXPECT_THAT([&] { ParseSeconds(text, "t: "); }, ThrowsError("t: ", text)) << text;
+  }
+}
+
+TEST(GuessTimeUnit, FollowsTheMagnitude) {
+  EXPECT_EQ(GuessTimeUnit("1305031229.528748"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessTimeUnit("0.05"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessTimeUnit("0000000000000000000012.5"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessTimeUnit("1305031229528.748"), TimeUnit::kMilliseconds);
+  EXPECT_EQ(GuessTimeUnit("1305031229528748"), TimeUnit::kMicroseconds);
+  EXPECT_EQ(GuessTimeUnit("1403636579763555584"), TimeUnit::kNanoseconds);
+  EXPECT_EQ(GuessTimeUnit("1.403636579763555584e+18"), TimeUnit::kNanoseconds);
+  EXPECT_EQ(GuessTimeUnit("name"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessEurocTimeUnit("33333333"), TimeUnit::kNanoseconds);
+  EXPECT_EQ(GuessEurocTimeUnit("1403636579.763"), TimeUnit::kSeconds);
+}
+
 TEST(FormatSeconds, HasNineDecimalsAndIsReadBackExactly) {
   EXPECT_EQ(FormatSeconds(0), "0.000000000");
   EXPECT_EQ(FormatSeconds(-500000000), "-0.500000000");
@@ -54,7 +75,10 @@ TEST(FormatSeconds, HasNineDecimalsAndIsReadBackExactly) {
 
 TEST(ParseNanoseconds, IsExact) {
   EXPECT_EQ(ParseNanoseconds("1403636579763555584", ""), 1403636579763555584);
-  EXPECT_THAT([] { ParseNanoseconds("1.5", "t: "); }, ThrowsError("t: '1.5'"));
+  EXPECT_EQ(ParseNanoseconds("1.403636579763555584e+18", ""), 1403636579763555584);
+  EXPECT_EQ(ParseNanoseconds("1.5", ""), 2);
+  EXPECT_THAT([] { ParseNanoseconds("1e19", "t: "); }, ThrowsError("t: '1e19'", "nanoseconds"));
+  EXPECT_THAT([] { ParseNanoseconds("a.png", "t: "); }, ThrowsError("t: 'a.png'"));
   EXPECT_THAT([] { ParseNanoseconds("", "t: "); }, ThrowsError("t: ''"));
 }
 

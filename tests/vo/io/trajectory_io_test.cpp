@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <string>
 
 #include "tests/support/data.h"
@@ -109,6 +110,58 @@ TEST(TumTest, ErrorsNameFileLineAndValue) {
   expect_error("1 0 0 0 0 0 0 1", "does not lie after");
   expect_error("0.999999999 0 0 0 0 0 0 1", "0.999999999 s does not lie after");
   EXPECT_THAT([&] { ReadTum(dir.path() / "none.tum"); }, ThrowsError("none.tum"));
+}
+
+TEST(TumTest, TextsAsPeopleHaveThemHoldTheSamePoses) {
+  const test::TemporaryDir dir;
+  const PoseSequence expected = ReadTum(dir.Write("a.tum", "1403636579.5 1 2 3 0 0 0 1\n"));
+  for (const char* text : {"\xEF\xBB\xBF"
+                           "1403636579.5 1 2 3 0 0 0 1\n",
+                           "timestamp tx ty tz qx qy qz qw\n1403636579.5 1 2 3 0 0 0 1",
+                           "1.4036365795e+09 1 2 3 0 0 0 1\r\n", "1403636579.5,1,2,3,0,0,0,1",
+                           "1403636579.5; 1; 2; 3; 0; 0; 0; 1",
+                           "1403636579.5\t1\t2\t3\t0\t0\t0\t1  \r", "1403636579500 1 2 3 0 0 0 1",
+                           "1403636579500000000 1 2 3 0 0 0 1", "1.4036365795e+18 1 2 3 0 0 0 1"}) {
+    const PoseSequence poses = ReadTum(dir.Write("b.tum", text));
+    ASSERT_EQ(poses.size(), 1) << text;
+    EXPECT_EQ(poses[0].time_ns, expected[0].time_ns) << text;
+    EXPECT_EQ(poses[0].world_from_camera, expected[0].world_from_camera) << text;
+  }
+}
+
+TEST(TumTest, PosesThatNoComputationHoldsAreNeitherReadNorWritten) {
+  const test::TemporaryDir dir;
+  EXPECT_THAT([&] { ReadTum(dir.Write("a.tum", "1 0 0 0 0 0 0 1\n2 0 1e160 0 0 0 0 1\n")); },
+              ThrowsError("a.tum:2: ", "y is 1e+160", "-1e+24 to 1e+24"));
+  EXPECT_THAT([&] { ReadTum(dir.Write("a.tum", "2 0 0 0 0 0 0 1e160\n")); },
+              ThrowsError("a.tum:1: ", "norm"));
+  EXPECT_THAT([&] { ReadKittiPoses(dir.Write("a.txt", "1 0 0 0 0 1 0 0 0 0 1 -1e160\n")); },
+              ThrowsError("a.txt:1: ", "z is -1e+160"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SE3 bad(SO3(), Eigen::Vector3d(nan, 0, 0));
+  const auto file = dir.path() / "out";
+  EXPECT_THAT([&] { WriteTum(file, {{1, bad}}); }, ThrowsError("out: at 0.000000001 s: x is nan"));
+  EXPECT_THAT([&] { WriteTumParts(file, {{"", {{1, bad}}}}); }, ThrowsError("out", "nan"));
+  EXPECT_THAT([&] { WriteKittiPoses(file, {bad}); }, ThrowsError("out", "nan"));
+  EXPECT_THAT([&] { WriteEurocPoses(file, {{1, bad}}); }, ThrowsError("out", "nan"));
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(KittiTest, RowsMayBeWholeMatrices) {
+  const test::TemporaryDir dir;
+  const auto poses = ReadKittiPoses(dir.Write("a.txt", "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1\n"));
+  ASSERT_EQ(poses.size(), 1);
+  EXPECT_EQ(poses[0].translation(), Eigen::Vector3d(7, 8, 9));
+  EXPECT_THAT([&] { ReadKittiPoses(dir.Write("a.txt", "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 2\n")); },
+              ThrowsError("a.txt:1: ", "0 0 0 1"));
+}
+
+TEST(EurocTest, TimesMayHaveExponents) {
+  const test::TemporaryDir dir;
+  const PoseSequence poses = ReadEurocPoses(
+      dir.Write("a.csv", "time,x,y,z,qw,qx,qy,qz\n1.403636579763555584e+18,1,2,3,1,0,0,0\n"));
+  ASSERT_EQ(poses.size(), 1);
+  EXPECT_EQ(poses[0].time_ns, 1403636579763555584);
 }
 
 TEST(TumTest, NamesTheFileThatCannotBeWritten) {

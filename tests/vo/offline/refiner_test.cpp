@@ -181,14 +181,9 @@ TEST(RefinerTest, EachSegmentKeepsThePoseOfItsOldestKeyframe) {
 TEST(RefinerTest, FailureReturnsTheUnrefinedTrajectory) {
   Recorded recorded;
   recorded.Drive(20, 1);
-  FrameObservations broken{1, 0, 0, {}, {}, {}};
-  for (LandmarkId id = 0; id < 50; ++id) {
-    broken.observations.push_back({id, kNoId, {std::numeric_limits<double>::quiet_NaN(), 0}, 1});
-    broken.in_world.emplace_back(0, 0, 5);
-  }
-  recorded.log.Callback()(broken);
-  const Refinement refined = Refine(recorded.odometry, recorded.log);
-  EXPECT_EQ(refined.adjustment.status, AdjustmentStatus::kSolverFailed);
+  const Refinement refined =
+      Refine(recorded.odometry, recorded.log, {}, [](double) { return false; });
+  EXPECT_FALSE(refined.adjustment.is_usable());
   EXPECT_EQ(refined.adjustment.camera, recorded.odometry.camera().parameters());
   ExpectSamePoses(refined.trajectory, recorded.odometry.GetTrajectory());
   const Recorded nothing;
@@ -212,6 +207,55 @@ TEST(RefinerTest, FramesWhosePosesWereDiscardedHaveNone) {
               plain.frames[i].world_from_camera.has_value())
         << i;
   }
+}
+
+TEST(RefinerTest, ObservationsThatCannotBeThoseOfTheOdometryAreErrors) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto expect_error = [](const FrameObservations& wrong, const std::string& message) {
+    Recorded recorded;
+    recorded.Drive(8, 1);
+    recorded.log.Callback()(wrong);
+    EXPECT_THAT([&] { Refine(recorded.odometry, recorded.log); },
+                test::ThrowsError("observations", message));
+  };
+  const Observation good{0, kNoId, {10, 10}, 1};
+  expect_error({100000, 0, kNoId, {good}, {}, {}}, "frame is 100000; allowed is 0 to 7");
+  expect_error({-1, 0, kNoId, {good}, {}, {}}, "frame is -1");
+  expect_error({1, 0, 1000, {good}, {{0, 0, 1}}, {}}, "keyframe is 1000");
+  expect_error({1, 0, 0, {good}, {}, {}}, "number of positions is 0");
+  expect_error({1, 0, 0, {good}, {{nan, 0, 1}}, {}}, "not finite");
+  expect_error({1, 0, 0, {good}, {{0, 0, 1e300}}, {}}, "a position is not finite");
+  expect_error({1, 0, kNoId, {{1 << 30, kNoId, {10, 10}, 1}}, {}, {}}, "landmark is 1073741824");
+  expect_error({1, 0, kNoId, {{0, kNoId, {nan, 10}, 1}}, {}, {}}, "pixel");
+  expect_error({1, 0, kNoId, {{0, kNoId, {10, 5000}, 1}}, {}, {}}, "pixel");
+  expect_error({1, 0, kNoId, {{0, kNoId, {10, 10}, 0}}, {}, {}}, "sigma_px");
+  expect_error({1, 0, kNoId, {}, {}, {{3, 4}, {4, 3}}}, "merged into itself");
+}
+
+TEST(RefinerTest, ObservationsOfAnotherSequenceAreErrors) {
+  Recorded one, other;
+  one.Drive(12, 1);
+  other.Drive(12, 7);
+  EXPECT_THAT([&] { Refine(one.odometry, other.log); }, test::ThrowsError("observations"));
+  Recorded longer;
+  longer.Drive(20, 1);
+  EXPECT_THAT([&] { Refine(one.odometry, longer.log); }, test::ThrowsError("observations"));
+  const ObservationLog none;
+  EXPECT_THAT([&] { Refine(one.odometry, none); }, test::ThrowsError("observations"));
+  EXPECT_TRUE(Refine(one.odometry, one.log).adjustment.is_usable());
+}
+
+TEST(RefinerTest, OptionsOutOfRangeAreErrors) {
+  Recorded recorded;
+  recorded.Drive(8, 1);
+  RefinerOptions options;
+  options.adjustment.huber_sigmas = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT([&] { Refine(recorded.odometry, recorded.log, options); },
+              test::ThrowsError("adjustment.huber_sigmas is nan"));
+  options = {};
+  options.sequence.frames_between = -1;
+  EXPECT_THAT([&] { Refine(recorded.odometry, recorded.log, options); },
+              test::ThrowsError("frames_between is -1"));
 }
 
 TEST(RefinerTest, ResultIsIdenticalWhenRepeated) {

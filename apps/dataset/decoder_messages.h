@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace corvo {
+
+/// Catches what the decoders of image libraries print to standard error, without the name of the
+/// file, during its lifetime. One thread at a time holds such an object; others wait.
+class DecoderMessages {
+ public:
+  DecoderMessages();
+  /// Lets standard error go where it went before.
+  ~DecoderMessages();
+  DecoderMessages(const DecoderMessages&) = delete;
+  DecoderMessages& operator=(const DecoderMessages&) = delete;
+
+  /// Returns the first line that was caught since the last call, or an empty text.
+  std::string Take();
+};
+
+/// Returns the descriptor of standard error, also while its messages are caught. May be called in a
+/// signal handler.
+int UncaughtStandardError();
+
+}  // namespace corvo
