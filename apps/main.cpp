@@ -13,6 +13,7 @@
 #include "apps/commands/calibrate.h"
 #include "apps/commands/config.h"
 #include "apps/commands/eval.h"
+#include "apps/commands/export.h"
 #include "apps/commands/features.h"
 #include "apps/commands/learn.h"
 #include "apps/commands/match.h"
@@ -78,6 +79,7 @@ int Main(int argc, char** argv) {
   AddRunCommand(app, exit_code);
   AddCalibrateCommand(app, exit_code);
   AddEvalCommand(app);
+  AddExportCommand(app);
   AddSynthCommand(app, exit_code);
   AddFeaturesCommand(app);
   AddMatchCommand(app);

@@ -2,7 +2,6 @@
 #include "orb/lsh_index.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -18,13 +17,6 @@ namespace {
 constexpr int kMinAdded = 4096;   ///< Up to this many descriptors may be in no table.
 constexpr int kAddedShare = 32;   ///< So may up to 1/kAddedShare of those in tables.
 constexpr int kTablesAtOnce = 2;  ///< Tables probed between tests of whether to end.
-constexpr int kMinBits = 8, kMaxBits = 21;
-
-/// Returns the number of bits in a key, chosen to give four to eight descriptors per bucket, within
-/// the limits.
-int BitsAKey(std::size_t num_descriptors) {
-  return std::clamp(static_cast<int>(std::bit_width(num_descriptors)) - 3, kMinBits, kMaxBits);
-}
 
 /// Returns the next greater number with the same number of bits set (Gosper's hack).
 std::uint32_t NextWithEqualBits(std::uint32_t bits) {

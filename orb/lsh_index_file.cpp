@@ -78,7 +78,9 @@ void CheckHead(const Head& head, const std::string& name) {
   CheckRange(name + ": recall", head.recall, 0.0, 1.0);
   CheckRange<Word>(name + ": descriptors", head.num_descriptors, 0, 0x7fffffff);
   CheckRange<Word>(name + ": descriptors in tables", head.num_in_tables, 0, head.num_descriptors);
-  CheckRange<Word>(name + ": bits a key", head.bits_a_key, head.num_in_tables > 0, kMaxBits);
+  // The memory of the tables grows with the keys, and is thus in proportion to the descriptors.
+  const auto bits = head.num_in_tables > 0 ? static_cast<Word>(BitsAKey(head.num_in_tables)) : 0;
+  CheckRange<Word>(name + ": bits a key", head.bits_a_key, bits, bits);
 }
 
 void CheckSize(const fs::path& file, const Head& head, const std::string& name) {

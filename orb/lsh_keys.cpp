@@ -98,6 +98,11 @@ std::uint32_t KeyOf(const Descriptor& descriptor, const KeyBits& bits) {
   return key;
 }
 
+int BitsAKey(std::size_t num_descriptors) {
+  constexpr int kMinBits = 8, kMaxBits = 21;
+  return std::clamp(static_cast<int>(std::bit_width(num_descriptors)) - 3, kMinBits, kMaxBits);
+}
+
 std::vector<KeyBits> ChooseKeyBits(std::span<const Descriptor> descriptors, int num_tables,
                                    int bits_a_key) {
   const BitStatistics statistics(descriptors);

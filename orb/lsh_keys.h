@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,10 @@ using KeyBits = std::vector<std::uint8_t>;
 
 /// Returns the key of a descriptor, 0 to 2^bits.size() - 1.
 std::uint32_t KeyOf(const Descriptor& descriptor, const KeyBits& bits);
+
+/// Returns the number of bits in a key for tables of this many descriptors: 8 to 21, chosen to give
+/// four to eight descriptors per bucket.
+int BitsAKey(std::size_t num_descriptors);
 
 /// Chooses disjoint bits for the keys of `num_tables` tables, `bits_a_key` for each; in total at
 /// most 256. The bits of learned tests are correlated, and keys of correlated bits would crowd into

@@ -6,8 +6,8 @@
 #   install_dependencies.sh [--development]
 #
 #   --development   also ccache, clang 14, clang-format 14, clang-tidy 14, codespell and doxygen, and
-#                   in the folder .venv evo (PyPI), whose measures the tests compare with; continuous
-#                   integration uses these
+#                   in the folder .venv evo and pycolmap (PyPI), with which the tests compare measures
+#                   and read exported models; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
@@ -16,7 +16,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-
   libbenchmark-dev gnuplot-nox)
 development=(ccache clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
   python3-venv)
-evo=evo==1.38.1
+python_packages=(evo==1.38.1 pycolmap==4.2.1)
 
 usage() { sed -n '3,10s/^# \{0,1\}//p' "$0"; }
 
@@ -49,19 +49,23 @@ as_root() {
   fi
 }
 
-install_evo() {
-  local venv
+install_python_packages() {
+  local venv installed package
   venv=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/.venv
-  if [ "$("$venv/bin/pip" freeze 2>/dev/null | grep '^evo==')" = "$evo" ]; then return; fi
-  echo "Installing $evo in .venv"
+  installed=$("$venv/bin/pip" freeze 2>/dev/null) || installed=
+  for package in "${python_packages[@]}"; do
+    grep -qxF "$package" <<<"$installed" || installed=
+  done
+  [ -z "$installed" ] || return 0
+  echo "Installing ${python_packages[*]} in .venv"
   /usr/bin/python3 -m venv --clear "$venv"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check "$evo"
+  "$venv/bin/pip" install --quiet --disable-pip-version-check "${python_packages[@]}"
 }
 
-with_evo=false
+with_python=false
 for argument in "$@"; do
   case $argument in
-    --development) packages+=("${development[@]}") with_evo=true ;;
+    --development) packages+=("${development[@]}") with_python=true ;;
     -h | --help) usage; exit 0 ;;
     *) echo "install_dependencies.sh: unknown argument $argument" >&2; usage >&2; exit 1 ;;
   esac
@@ -81,4 +85,4 @@ else
     --no-install-recommends \
     "${missing[@]}"
 fi
-if $with_evo; then install_evo; fi
+if $with_python; then install_python_packages; fi

@@ -7,9 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/frame_tables.h"
 #include "orb/error.h"
-#include "vo/io/decimal_time.h"
-#include "vo/io/text_lines.h"
 
 namespace corvo {
 namespace {
@@ -34,50 +33,16 @@ void CheckStates(const std::vector<std::string>& states) {
   }
 }
 
-/// Returns the index of the column `name` of the header. Throws corvo::Error if there is none.
-std::size_t FindColumn(const std::vector<std::string>& header, const char* name,
-                       const fs::path& file) {
-  const auto column = std::find(header.begin(), header.end(), name);
-  if (column != header.end()) return static_cast<std::size_t>(column - header.begin());
-  throw Error(
-      fmt::format("{}: has no column {}; give the frames.csv of a run", file.string(), name));
-}
-
-/// The number of columns of frames.csv and the indices of those that are used.
-struct Columns {
-  std::size_t count = 0, time = 0, state = 0, segment = 0;
-};
-
-Columns FindColumns(const std::vector<TextLine>& lines, const fs::path& file) {
-  const std::vector<std::string> header =
-      lines.empty() ? std::vector<std::string>() : SplitFields(lines.front().text);
-  return {header.size(), FindColumn(header, "timestamp", file), FindColumn(header, "state", file),
-          FindColumn(header, "segment", file)};
-}
-
-bool IsSelected(const std::vector<std::string>& fields, const Columns& columns,
-                const FrameSelection& selection) {
-  const std::vector<std::string>& states = selection.states;
-  const bool state_fits = states.empty() || std::find(states.begin(), states.end(),
-                                                      fields[columns.state]) != states.end();
-  const bool segment_fits =
-      !selection.segment || fields[columns.segment] == std::to_string(*selection.segment);
-  return state_fits && segment_fits;
+bool IsSelected(const FrameRow& row, const FrameSelection& selection) {
+  const bool state_fits = selection.states.empty() ||
+                          std::ranges::find(selection.states, row.state) != selection.states.end();
+  return state_fits && (!selection.segment || row.segment == *selection.segment);
 }
 
 std::set<TimeNs> SelectTimes(const fs::path& file, const FrameSelection& selection) {
-  const std::vector<TextLine> lines = ReadTextLines(file);
-  const Columns columns = FindColumns(lines, file);
   std::set<TimeNs> times;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::string where = LinePrefix(file, lines[i]);
-    const std::vector<std::string> fields = SplitFields(lines[i].text);
-    if (fields.size() != columns.count) {
-      throw Error(
-          fmt::format("{}{} fields; the header has {}", where, fields.size(), columns.count));
-    }
-    if (!IsSelected(fields, columns, selection)) continue;
-    times.insert(ParseSeconds(fields[columns.time], where));
+  for (const FrameRow& row : ReadFrameTable(file)) {
+    if (IsSelected(row, selection)) times.insert(row.time_ns);
   }
   return times;
 }

@@ -27,6 +27,7 @@ struct TimedImage {
   std::string name;  ///< Name for error messages: its file, or the video and frame number.
   Reason missing = Reason::kNone;  ///< Why the image is missing; kNone if it is not.
   std::string error = {};          ///< The error that made it so.
+  cv::Mat color = {};              ///< The decoded image, 8-bit BGR, if it came in color for free.
 };
 
 /// Reads images one at a time, in the order in which they were taken.

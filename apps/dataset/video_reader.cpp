@@ -38,7 +38,8 @@ class CaptureReader : public ImageReader {
                         Reason::kUnreadableImage,
                         fmt::format("{}: cannot be decoded", name)};
     }
-    return TimedImage{ToGray(image, name).clone(), {}, time_ns_, index_, name, Reason::kNone, {}};
+    return TimedImage{
+        ToGray(image, name).clone(), {}, time_ns_, index_, name, Reason::kNone, {}, image};
   }
 
   bool Skip() override {

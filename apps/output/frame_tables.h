@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,22 @@ struct FrameTiming {
 };
 
 /// Returns CSV with a header and one row per input frame. Timestamps are seconds with nine
-/// decimals, `segment` is -1 before the first segment, `posed` is 0 or 1, `parallax` is in degrees.
-std::string FrameTable(const Trajectory& trajectory);
+/// decimals, `segment` is -1 before the first segment, `posed` and `keyframe` are 0 or 1,
+/// `parallax` is in degrees. `images` names the image of each frame, or is empty.
+std::string FrameTable(const Trajectory& trajectory, const std::vector<std::string>& images = {});
+
+/// Some columns of a row of frames.csv. Earlier versions did not write the last two.
+struct FrameRow {
+  int index = 0;
+  TimeNs time_ns = 0;
+  std::string state;
+  int segment = kNoId;
+  bool is_keyframe = false;
+  std::string image;
+};
+
+/// Reads a table of FrameTable(). Throws corvo::Error with file and line if it is malformed.
+std::vector<FrameRow> ReadFrameTable(const std::filesystem::path& file);
 
 /// Returns CSV with a header and one row per input frame.
 std::string TimingTable(const std::vector<FrameTiming>& timings);

@@ -3,12 +3,11 @@
 
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -49,13 +48,6 @@ MapPoint TakePoint(const char*& bytes) {
   return point;
 }
 
-std::string ReadBytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) throw Error(fmt::format("{}: cannot be read", file.string()));
-  return bytes;
-}
-
 }  // namespace
 
 std::string ToPly(const std::vector<MapPoint>& points) {
@@ -72,7 +64,7 @@ std::string ToPly(const std::vector<MapPoint>& points) {
 }
 
 std::vector<MapPoint> ReadMapPly(const std::filesystem::path& file) {
-  const std::string bytes = ReadBytes(file);
+  const std::string bytes = ReadFileBytes(file, kMaxResultBytes);
   const std::size_t header_size = bytes.find("end_header\n") + std::strlen("end_header\n");
   const std::size_t num_points =
       bytes.size() < header_size ? 0 : (bytes.size() - header_size) / kRecordSize;

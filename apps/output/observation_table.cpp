@@ -4,13 +4,13 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
 
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -81,9 +81,7 @@ void ObservationWriter::Finish() {
 }
 
 std::vector<ObservationRow> ReadObservations(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) throw Error(fmt::format("{}: cannot be read", file.string()));
+  const std::string bytes = ReadFileBytes(file, kMaxResultBytes);
   const std::size_t num_rows =
       bytes.size() < kHeaderSize ? 0 : (bytes.size() - kHeaderSize) / kRowSize;
   if (bytes.compare(0, kHeaderSize, Header(num_rows)) != 0 ||

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/run/image_names.h"
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
 #include "apps/run/stopwatch.h"
@@ -40,8 +41,12 @@ FrameResult ProcessImage(const TimedImage& image, RunRecord& record) {
 /// The processing of the images of one run.
 class ImageLoop {
  public:
-  ImageLoop(const RunInputs& inputs, TrackDrawings& drawings, Checkpoint& checkpoint)
-      : progress_(inputs.source.size().value_or(0)), drawings_(drawings), checkpoint_(checkpoint) {}
+  ImageLoop(const RunArguments& arguments, const RunInputs& inputs, TrackDrawings& drawings,
+            Checkpoint& checkpoint)
+      : names_(arguments.input, inputs.source.list()),
+        progress_(inputs.source.size().value_or(0)),
+        drawings_(drawings),
+        checkpoint_(checkpoint) {}
 
   /// Processes images until their end or a signal.
   void Run(ImageSource& source, const Interruption& interruption, RunRecord& record) {
@@ -63,6 +68,10 @@ class ImageLoop {
     timing.total_ms = watch_.LapMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
+    record.images.push_back(names_.Of(next));
+    if (frame.is_keyframe) {
+      record.colors.Add(record.odometry.last_frame(), next.color.empty() ? next.image : next.color);
+    }
     if (next.missing == Reason::kNone) {
       drawings_.Add(next.image, record.odometry.last_mask(), record.odometry.last_frame(), frame);
     }
@@ -71,6 +80,7 @@ class ImageLoop {
     watch_.LapMs();
   }
 
+  ImageNames names_;
   ProgressReport progress_;
   TrackDrawings& drawings_;
   Checkpoint& checkpoint_;
@@ -102,7 +112,7 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
   RunRecord record = MakeRecord(inputs, arguments);
   Stopwatch watch;
   try {
-    ImageLoop(inputs, drawings, checkpoint).Run(inputs.source, interruption, record);
+    ImageLoop(arguments, inputs, drawings, checkpoint).Run(inputs.source, interruption, record);
   } catch (const std::exception& error) {
     if (record.timings.empty()) throw;
     record.end = {error.what(), kFailed};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/output/frame_tables.h"
+#include "apps/output/landmark_colors.h"
 #include "apps/output/landmark_spool.h"
 #include "vo/odometry.h"
 #include "vo/offline/observation_log.h"
@@ -35,6 +36,8 @@ struct RunRecord {
   std::optional<Refinement> refinement;  ///< Set only if refinement is requested.
   Trajectory trajectory;                 ///< Final estimate, scaled by --meters-per-unit.
   std::vector<FrameTiming> timings;
+  std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
+  LandmarkColors colors;
   std::map<Reason, std::string> first_errors;  ///< The first missing image of each reason.
   double elapsed_s = 0;
   RunEnd end;

@@ -87,8 +87,9 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
                                      : CollectPoints(*record.finished, record.odometry.map());
   for (MapPoint& point : points) point.in_world *= arguments.meters_per_unit.value_or(1);
   WriteObservations(record.odometry, record.observations, output.Stage("observations.npy"), points);
+  for (MapPoint& point : points) point.rgb = record.colors.Of(point.id);
   output.Write("map.ply", ToPly(points));
-  output.Write("frames.csv", FrameTable(record.trajectory));
+  output.Write("frames.csv", FrameTable(record.trajectory, record.images));
   output.Write("timing.csv", TimingTable(record.timings));
 }
 

@@ -13,6 +13,7 @@
 #include "apps/output/evaluation_report.h"
 #include "apps/output/reasons.h"
 #include "apps/output/segment_report.h"
+#include "apps/run/image_names.h"
 #include "apps/run/kitti_trajectory.h"
 #include "apps/run/stated_focal.h"
 #include "orb/error.h"
@@ -20,6 +21,9 @@
 
 namespace corvo {
 namespace {
+
+/// The version of the layout of summary.json and of the files beside it.
+constexpr int kSchemaVersion = 2;
 
 using Json = nlohmann::ordered_json;
 
@@ -106,7 +110,17 @@ std::string CameraSource(const RunArguments& arguments) {
 }
 
 /// Adds those of --start, --every, --count, --resize, --mask and --fps that were given.
-void AddInputJson(const RunArguments& arguments, Json& json) {
+Json PathOrNull(const std::filesystem::path& path) {
+  return path.empty() ? Json() : Json(path.string());
+}
+
+void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json& json) {
+  const std::filesystem::path& input = arguments.input;
+  const ImageNames names(input, source.list());
+  json["input"] = (source.is_live() ? input : std::filesystem::absolute(input)).string();
+  json["image_folder"] = PathOrNull(names.folder());
+  json["video"] = PathOrNull(names.video());
+  json["layout"] = source.list().layout;
   const Selection& selection = arguments.selection;
   if (selection.start != 0) json["start"] = selection.start;
   if (selection.every != 1) json["every"] = selection.every;
@@ -237,10 +251,9 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
 
 Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSummary& summary) {
   Json json;
+  json["schema"] = kSchemaVersion;
   AddEndJson(summary, json);
-  json["input"] = arguments.input.string();
-  json["layout"] = inputs.source.list().layout;
-  AddInputJson(arguments, json);
+  AddInputJson(arguments, inputs.source, json);
   json["camera_source"] = CameraSource(arguments);
   json["camera"] = CameraJson(inputs.camera.given);
   json["warnings"] = inputs.warnings;

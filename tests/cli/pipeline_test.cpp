@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/output/map_ply.h"
+#include "apps/output/observation_table.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "vo/io/config.h"
@@ -32,15 +35,8 @@ int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Returns the z coordinate of the first point of a PLY file.
-double FirstVertex(const fs::path& ply) {
-  std::istringstream text(ReadText(ply));
-  for (std::string line; std::getline(text, line) && line != "end_header";) {
-  }
-  double x = 0, y = 0, z = 0;
-  text >> x >> y >> z;
-  return z;
-}
+/// Returns the z coordinate of the first point of a map.
+double FirstVertex(const fs::path& ply) { return ReadMapPly(ply).front().in_world.z(); }
 
 /// A fixture that runs `corvo synth`, `run` and `eval` one after the other on a rendered street.
 class Pipeline : public testing::Test {
@@ -177,12 +173,77 @@ TEST_F(Pipeline, RefineChangesTheWrittenResults) {
   }
 }
 
+TEST_F(Pipeline, ObservationsAndMapAndFramesBelongTogether) {
+  std::map<LandmarkId, int> counts;
+  for (const ObservationRow& row : ReadObservations(Result() / "observations.npy")) {
+    ++counts[row.landmark];
+    EXPECT_LT(row.frame, kFrames);
+  }
+  const std::vector<MapPoint> points = ReadMapPly(Result() / "map.ply");
+  EXPECT_GT(points.size(), 200u);
+  for (const MapPoint& point : points) EXPECT_EQ(counts[point.id], point.num_observations);
+  EXPECT_LE(counts.size(), points.size());
+}
+
+TEST_F(Pipeline, AResultIsExportedForOtherPrograms) {
+  const fs::path model = *folder_ / "model";
+  const CommandResult colmap = RunCorvo({"export", Result(), "--to", "colmap", "--images",
+                                         "--undistort", "--frames", "all", "-o", model});
+  ASSERT_EQ(colmap.exit_code, kDone) << colmap.err;
+  for (const char* name : {"cameras.bin", "images.bin", "points3D.bin"}) {
+    EXPECT_GT(fs::file_size(model / "sparse/0" / name), 50u) << name;
+  }
+  const fs::path images = model / "images";
+  EXPECT_EQ(
+      std::distance(fs::recursive_directory_iterator(images), fs::recursive_directory_iterator()),
+      kFrames + 1)
+      << "and the folder rgb";
+  const fs::path scene = *folder_ / "scene";
+  const CommandResult nerfstudio =
+      RunCorvo({"export", Result(), "--to", "nerfstudio", "--images", "-o", scene});
+  ASSERT_EQ(nerfstudio.exit_code, kDone) << nerfstudio.err;
+  const auto transforms = nlohmann::json::parse(ReadText(scene / "transforms.json"));
+  EXPECT_TRUE(fs::exists(scene / transforms["ply_file_path"].get<std::string>()));
+  EXPECT_GT(transforms["frames"].size(), 3u);
+  for (const auto& frame : transforms["frames"]) {
+    EXPECT_TRUE(fs::exists(scene / frame["file_path"].get<std::string>()));
+  }
+  // An export is replaced only on request; other folders never are.
+  EXPECT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", model}).exit_code, 1);
+  EXPECT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", model, "--force"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(images));
+  EXPECT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", Street(), "--force"}).exit_code,
+            1);
+}
+
+TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
+  const fs::path python = SourceDir() / ".venv" / "bin" / "python";
+  const std::vector<std::string> environment = {"HOME=" + folder_->path().string(),
+                                                "PATH=/usr/bin:/bin"};
+  if (RunProgram(python, {"-c", "import pycolmap"}, environment).exit_code != 0) {
+    GTEST_SKIP() << "pycolmap is missing: scripts/install_dependencies.sh --development";
+  }
+  for (const std::string format : {"--text", "--force"}) {
+    const fs::path model = *folder_ / "colmap";
+    ASSERT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", model, format}).exit_code, 0);
+    const CommandResult check = RunProgram(
+        python, {SourceDir() / "tests/cli/check_colmap_model.py", model / "sparse/0"}, environment);
+    ASSERT_EQ(check.exit_code, 0) << check.err;
+    const auto measures = nlohmann::json::parse(check.out);
+    EXPECT_GT(measures["observations"], 500);
+    EXPECT_LT(measures["mean_error"], 0.5) << "px";
+    EXPECT_LT(measures["stated"], 1e-6) << "px: pycolmap projects as corvo does";
+    EXPECT_GT(measures["cost_ratio"], 0.8);
+    EXPECT_LT(measures["moved"], 0.005);
+  }
+}
+
 TEST_F(Pipeline, OutputDoesNotDependOnTheNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);
   for (const char* name : {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv",
                            "keyframes.tum", "rotations.tum", "map.ply", "frames.csv",
-                           "summary.json", "config.yaml", "trajectory.png"}) {
+                           "observations.npy", "summary.json", "config.yaml", "trajectory.png"}) {
     EXPECT_EQ(ReadText(Result() / name), ReadText(two / name)) << name;
   }
 }

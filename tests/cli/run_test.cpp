@@ -33,10 +33,10 @@ const char* const kCamera =
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
 
 const char* const kReproducibleFiles[] = {
-    "trajectory.tum", "rotations.tum", "trajectory_euroc.csv",
-    "keyframes.tum",  "map.ply",       "frames.csv",
-    "summary.json",   "config.yaml",   "camera_estimated.yaml",
-    "trajectory.png"};
+    "trajectory.tum",        "rotations.tum", "trajectory_euroc.csv",
+    "keyframes.tum",         "map.ply",       "frames.csv",
+    "observations.npy",      "summary.json",  "config.yaml",
+    "camera_estimated.yaml", "trajectory.png"};
 
 int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
@@ -134,11 +134,11 @@ TEST_F(Run, LogsEveryFrame) {
   RunHere({"--fps", "10"});
   const std::string table = ReadText(result_ / "frames.csv");
   EXPECT_EQ(CountLines(table), 6);
-  EXPECT_THAT(
-      table,
-      StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
-                 "inliers,parallax,masked,window_adjustment,camera_adjustment\n0,0.000000000,"));
+  EXPECT_THAT(table, StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
+                                "inliers,parallax,masked,window_adjustment,camera_adjustment,"
+                                "keyframe,image\n0,0.000000000,"));
   EXPECT_THAT(table, HasSubstr("\n4,0.400000000,"));
+  EXPECT_THAT(table, HasSubstr(",0,4.png\n"));
   EXPECT_EQ(CountLines(ReadText(result_ / "timing.csv")), 6);
   const nlohmann::json summary = Summary();
   EXPECT_EQ(summary["frames"], 5);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
 #include "orb/hamming.h"
@@ -255,6 +256,27 @@ TEST_F(LshIndexFileTest, DamageInALargeFileThrows) {
     std::string damaged = text;
     damaged[i] = static_cast<char>(damaged[i] + 1);
     ASSERT_THAT([&] { Load(damaged); }, ThrowsError("x: ")) << i;
+  }
+}
+
+/// Returns the text with this word at a byte and with the checksum that fits.
+std::string WithWord(std::string text, std::size_t byte, std::uint64_t word) {
+  std::memcpy(text.data() + byte, &word, sizeof(word));
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i + sizeof(sum) < text.size(); i += sizeof(word)) {
+    std::memcpy(&word, text.data() + i, sizeof(word));
+    sum = (sum ^ word) * 0x100000001b3;
+  }
+  std::memcpy(text.data() + text.size() - sizeof(sum), &sum, sizeof(sum));
+  return text;
+}
+
+TEST_F(LshIndexFileTest, KeysOutOfProportionToTheDescriptorsThrow) {
+  constexpr std::size_t kBitsAKey = 56;  // Where the head holds them.
+  const std::string text = Written(5000);
+  EXPECT_EQ(Load(WithWord(text, kBitsAKey, 10)).bits_a_key(), 10);
+  for (const std::uint64_t bits : {0, 1, 9, 11, 21}) {
+    EXPECT_THAT([&] { Load(WithWord(text, kBitsAKey, bits)); }, ThrowsError("x: bits a key"));
   }
 }
 

@@ -16,6 +16,7 @@ FrameObservations MakeFrame(int frame, KeyframeId keyframe, int num_landmarks) {
     if (keyframe != kNoId) seen.in_world.emplace_back(i / 7.0, -i, 1e-9 * frame);
   }
   if (frame % 2 == 1) seen.merges = {{frame, 2}, {3, frame}};
+  seen.num_joins = frame % 3;
   return seen;
 }
 
@@ -30,7 +31,7 @@ TEST(ObservationLogTest, VisitReturnsTheLoggedObservations) {
     const FrameObservations& last = given[count - 1];
     add(last);
     num_bytes +=
-        24 + 16 * last.observations.size() + 24 * last.in_world.size() + 8 * last.merges.size();
+        28 + 16 * last.observations.size() + 24 * last.in_world.size() + 8 * last.merges.size();
     std::size_t i = 0;
     log.Visit([&](const FrameObservations& seen) {  // Reading does not disturb writing.
       ASSERT_LT(i, count);
@@ -40,6 +41,7 @@ TEST(ObservationLogTest, VisitReturnsTheLoggedObservations) {
       EXPECT_EQ(seen.observations, given[i].observations);
       EXPECT_EQ(seen.in_world, given[i].in_world);
       EXPECT_EQ(seen.merges, given[i].merges);
+      EXPECT_EQ(seen.num_joins, given[i].num_joins);
       ++i;
     });
     EXPECT_EQ(i, count);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "apps/export/exported_images.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "apps/dataset/image_reader.h"
+#include "orb/error.h"
+
+namespace corvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kJpegQuality = 95;
+
+cv::Mat ReadColorImage(const fs::path& file) {
+  cv::Mat image = cv::imread(file.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  if (image.empty()) throw Error(fmt::format("{}: cannot be read", file.string()));
+  return image;
+}
+
+/// The conversion of input images to exported ones.
+class Exporter {
+ public:
+  Exporter(const CameraParameters& camera, const std::optional<Undistortion>& undistortion,
+           fs::path folder)
+      : size_(camera.width, camera.height),
+        undistortion_(undistortion),
+        folder_(std::move(folder)) {}
+
+  void ExportFile(const fs::path& file, const std::string& name) const {
+    const cv::Mat image = ReadColorImage(file);
+    if (!undistortion_ && image.size() == size_) {
+      const fs::path target = Prepare(name);
+      std::error_code error;
+      fs::copy_file(file, target, fs::copy_options::overwrite_existing, error);
+      if (error) throw Error(fmt::format("{}: {}", target.string(), error.message()));
+    } else {
+      Write(image, name);
+    }
+  }
+
+  void Write(const cv::Mat& image, const std::string& name) const {
+    cv::Mat exported = image;
+    if (image.size() != size_) cv::resize(image, exported, size_, 0, 0, cv::INTER_AREA);
+    if (undistortion_) exported = undistortion_->Apply(exported);
+    const fs::path target = Prepare(name);
+    if (!cv::imwrite(target.string(), exported, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
+      throw Error(fmt::format("{}: cannot be written", target.string()));
+    }
+  }
+
+ private:
+  /// Returns the path of an image and makes its folder.
+  fs::path Prepare(const std::string& name) const {
+    const fs::path target = folder_ / name;
+    fs::create_directories(target.parent_path());
+    return target;
+  }
+
+  cv::Size size_;
+  const std::optional<Undistortion>& undistortion_;
+  fs::path folder_;
+};
+
+/// Writes frames of a video, which is decoded once.
+void ExportVideo(const RunResult& result, const Reconstruction& reconstruction,
+                 const Exporter& exporter) {
+  std::map<int, std::string> names;  // By position in the video.
+  for (const ReconstructedImage& image : reconstruction.images) {
+    names[std::stoi(result.frames[image.frame].image)] = image.name;
+  }
+  const std::unique_ptr<ImageReader> reader = OpenVideo(result.video, std::nullopt);
+  int position = 0;
+  for (const auto& [wanted, name] : names) {
+    for (; position < wanted; ++position) reader->Skip();
+    const std::optional<TimedImage> image = reader->Read();
+    ++position;
+    if (!image || image->missing != Reason::kNone) {
+      throw Error(fmt::format("{}: frame {} cannot be read", result.video.string(), wanted));
+    }
+    exporter.Write(image->color, name);
+  }
+}
+
+}  // namespace
+
+void ExportImages(const RunResult& result, const Reconstruction& reconstruction,
+                  const std::optional<Undistortion>& undistortion, const fs::path& folder) {
+  const Exporter exporter(reconstruction.camera, undistortion, folder);
+  if (!result.video.empty()) {
+    ExportVideo(result, reconstruction, exporter);
+    return;
+  }
+  if (result.image_folder.empty()) {
+    throw Error("the images of a live camera cannot be exported: they were not stored");
+  }
+  for (const ReconstructedImage& image : reconstruction.images) {
+    exporter.ExportFile(result.image_folder / result.frames[image.frame].image, image.name);
+  }
+}
+
+}  // namespace corvo

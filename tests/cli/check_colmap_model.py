@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""Reads a COLMAP model with pycolmap and prints, as JSON, its counts, its reprojection errors, how
+far the errors stated in the model are from them, and what pycolmap's bundle adjustment makes of the
+model: the share of the cost that remains and the largest movement of a camera relative to the path.
+
+usage: check_colmap_model.py MODEL
+"""
+import json
+import sys
+
+import numpy as np
+import pycolmap
+
+model = pycolmap.Reconstruction(sys.argv[1])
+errors, points = [], {}
+for image in model.images.values():
+    for observation in image.points2D:
+        if not observation.has_point3D():
+            continue
+        xyz = model.points3D[observation.point3D_id].xyz
+        error = float(np.linalg.norm(image.project_point(xyz) - observation.xy))
+        errors.append(error)
+        points.setdefault(observation.point3D_id, []).append(error)
+stated = max(abs(np.mean(e) - model.points3D[i].error) for i, e in points.items())
+
+
+def centers():
+    return np.array([model.images[i].projection_center() for i in sorted(model.images)])
+
+
+def cost():
+    return sum(float(np.sum((im.project_point(model.points3D[o.point3D_id].xyz) - o.xy) ** 2))
+               for im in model.images.values() for o in im.points2D if o.has_point3D())
+
+
+before, cost_before = centers(), cost()
+options = pycolmap.BundleAdjustmentOptions()
+options.refine_focal_length = options.refine_principal_point = options.refine_extra_params = False
+options.print_summary = False
+pycolmap.bundle_adjustment(model, options)
+after, cost_after = centers(), cost()
+path = np.linalg.norm(np.diff(before, axis=0), axis=1).sum()
+a, b = after - after.mean(0), before - before.mean(0)
+u, s, vt = np.linalg.svd(b.T @ a)
+d = np.diag([1, 1, np.sign(np.linalg.det(u @ vt))])
+scale = np.trace(np.diag(s) @ d) / (a ** 2).sum()
+moved = np.linalg.norm(scale * a @ (u @ d @ vt).T - b, axis=1).max() / path
+print(json.dumps({"images": len(model.images), "points": len(model.points3D),
+                  "observations": len(errors), "mean_error": float(np.mean(errors)),
+                  "stated": float(stated), "cost_ratio": cost_after / cost_before,
+                  "moved": float(moved)}))

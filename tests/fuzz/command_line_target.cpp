@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/commands/calibrate.h"
+#include "apps/commands/config.h"
+#include "apps/commands/eval.h"
+#include "apps/commands/features.h"
+#include "apps/commands/learn.h"
+#include "apps/commands/match.h"
+#include "apps/commands/run.h"
+#include "apps/commands/synth.h"
+#include "tests/fuzz/targets.h"
+
+namespace corvo::fuzz {
+namespace {
+
+/// Replaces what a command does after its arguments have been parsed by nothing.
+void DoNothing(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->callback([] {});
+    DoNothing(*command);
+  }
+}
+
+/// Returns the lines of a text in reverse, as CLI::App::parse takes them.
+std::vector<std::string> ReversedLines(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text) {
+    if (c == '\n') {
+      lines.emplace_back();
+    } else {
+      lines.back() += c;
+    }
+  }
+  return {lines.rbegin(), lines.rend()};
+}
+
+}  // namespace
+
+/// One argument a line. CLI11 calls exit codes other than 0 errors, and 0 help.
+void FuzzCommandLine(Bytes bytes) {
+  int exit_code = 0;
+  CLI::App app("", "corvo");
+  app.require_subcommand(0, 1);
+  AddRunCommand(app, exit_code);
+  AddCalibrateCommand(app, exit_code);
+  AddEvalCommand(app);
+  AddSynthCommand(app, exit_code);
+  AddFeaturesCommand(app);
+  AddMatchCommand(app);
+  AddLearnCommand(app);
+  AddConfigCommand(app);
+  DoNothing(app);
+  AllowError([&] {
+    try {
+      app.parse(ReversedLines(Input(bytes).Text()));
+    } catch (const CLI::ParseError&) {  // The help or the error is printed.
+    }
+  });
+}
+
+}  // namespace corvo::fuzz
