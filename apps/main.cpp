@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <iostream>
+#include <new>
+#include <string_view>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -19,6 +25,8 @@
 #include "apps/commands/match.h"
 #include "apps/commands/run.h"
 #include "apps/commands/synth.h"
+#include "apps/dataset/decoder_messages.h"
+#include "apps/output/error_text.h"
 #include "apps/output/log_format.h"
 #include "apps/run/interruption.h"
 #include "orb/error.h"
@@ -45,9 +53,6 @@ void SetUpLogging() {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }
 
-/// Returns the first line of a message. Messages of libraries may have several.
-std::string FirstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
-
 /// Writes what is buffered of the standard output. Returns false and logs an error if not all of
 /// the output could be written, as to a full disk.
 bool FlushOutput() {
@@ -63,7 +68,7 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
     const int exit_code = app.exit(error);
     return FlushOutput() ? exit_code : kBadInput;
   }
-  spdlog::error("{} (see --help)", FirstLine(error.what()));
+  spdlog::error("{} (see --help)", ErrorText(error));
   return kBadInput;
 }
 
@@ -92,8 +97,10 @@ int Main(int argc, char** argv) {
   } catch (const Error& error) {
     spdlog::error("{}", error.what());
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    spdlog::error("{}", FirstLine(error.what()));
+    spdlog::error("{}", ErrorText(error));
     return kBadInput;
   }
   if (!app.get_subcommands().empty()) return FlushOutput() ? exit_code : kBadInput;
@@ -101,13 +108,29 @@ int Main(int argc, char** argv) {
   return kBadInput;
 }
 
+/// Ends the process where no handler catches std::bad_alloc, as in functions that must not throw.
+/// Aborts it for any other reason.
+[[noreturn]] void EndOutOfMemory() {
+  const std::exception_ptr current = std::current_exception();
+  try {
+    if (current) std::rethrow_exception(current);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view kMessage = "corvo: error: out of memory\n";
+    static_cast<void>(!write(UncaughtStandardError(), kMessage.data(), kMessage.size()));
+    std::_Exit(kBadInput);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 }  // namespace corvo
 
 int main(int argc, char** argv) {
+  std::set_terminate(corvo::EndOutOfMemory);
   try {
     return corvo::Main(argc, argv);
-  } catch (...) {  // Reporting the error has failed, too.
-    return 1;
+  } catch (...) {  // Reporting an error needs memory, of which there is none.
+    corvo::EndOutOfMemory();
   }
 }

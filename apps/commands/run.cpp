@@ -12,6 +12,7 @@
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
 #include "apps/commands/number_option.h"
+#include "apps/output/error_text.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/printable.h"
 #include "apps/output/track_drawings.h"
@@ -72,7 +73,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   try {
     StageResults(arguments, inputs, record, summary, output);
   } catch (const std::exception& error) {
-    SaveTheTrajectory(error.what(), record, checkpoint, output);
+    SaveTheTrajectory(ErrorText(error), record, checkpoint, output);
   }
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
   if (summary.end.is_complete()) {

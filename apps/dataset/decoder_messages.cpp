@@ -38,6 +38,12 @@ std::string WithoutAddress(std::string text) {
   return text.erase(begin, end - begin);
 }
 
+/// Returns false if the system cannot.
+bool Clear() {
+  const int file = TheCatch().file;
+  return ftruncate(file, 0) == 0 && lseek(file, 0, SEEK_SET) == 0;
+}
+
 bool CanCatch() { return TheCatch().file >= 0 && TheCatch().copy >= 0; }
 
 }  // namespace
@@ -51,7 +57,7 @@ DecoderMessages::DecoderMessages() {
 
 DecoderMessages::~DecoderMessages() {
   if (CanCatch()) {
-    Take();
+    Clear();
     dup2(TheCatch().copy, STDERR_FILENO);
     standard_error = STDERR_FILENO;
   }
@@ -63,8 +69,7 @@ std::string DecoderMessages::Take() {
   if (!CanCatch() || lseek(file, 0, SEEK_CUR) == 0) return "";
   char buffer[256];
   const ssize_t size = pread(file, buffer, sizeof buffer, 0);
-  const bool is_empty = ftruncate(file, 0) == 0 && lseek(file, 0, SEEK_SET) == 0;
-  if (!is_empty || size <= 0) return "";
+  if (!Clear() || size <= 0) return "";
   const std::string text(buffer, static_cast<std::size_t>(size));
   return WithoutAddress(text.substr(0, text.find('\n')));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <mutex>
 #include <set>
 #include <string>
@@ -58,6 +59,18 @@ void WarnOfOrientation(const ImageHeader& header, const fs::path& file) {
                        header.orientation));
 }
 
+/// Returns whether a decoder's message tells of damaged pixels. A few extraneous bytes before a
+/// marker are a habit of some cameras and damage nothing.
+bool TellsOfDamage(const std::string& complaint) {
+  constexpr int kMaxPadding = 4;
+  int num_bytes = 0;
+  const bool is_padding =
+      std::sscanf(complaint.c_str(), "Corrupt JPEG data: %d extraneous bytes", &num_bytes) == 1;
+  if (is_padding) return num_bytes > kMaxPadding;
+  return complaint.starts_with("Corrupt JPEG data") ||
+         complaint.starts_with("Premature end of JPEG") || complaint.starts_with("libpng error");
+}
+
 cv::Mat Decode(const std::string& bytes, std::string& complaint) {
   if (bytes.empty() || IsTruncatedJpeg(bytes) || IsTruncatedPng(bytes)) return {};
   DecoderMessages messages;
@@ -71,6 +84,7 @@ cv::Mat Decode(const std::string& bytes, std::string& complaint) {
     image.release();
   }
   complaint = messages.Take();
+  if (TellsOfDamage(complaint)) return {};
   return image;
 }
 

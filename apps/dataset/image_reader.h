@@ -30,6 +30,14 @@ struct TimedImage {
   cv::Mat color = {};              ///< The decoded image, 8-bit BGR, if it came in color for free.
 };
 
+/// The frames of a video file, counted while it is read.
+struct VideoFrames {
+  int num_promised = 0;  ///< According to the container, which may estimate; 0 if it does not say.
+  int num_read = 0;
+  int num_damaged = 0;      ///< Frames before others that cannot be decoded; they are left out.
+  bool is_cut_off = false;  ///< Whether it has ended too early, or with frames missing by errors.
+};
+
 /// Reads images one at a time, in the order in which they were taken.
 class ImageReader {
  public:
@@ -41,13 +49,17 @@ class ImageReader {
 
   /// Skips the next image. Returns false after the last.
   virtual bool Skip() = 0;
+
+  /// Returns std::nullopt unless this is a video file.
+  virtual std::optional<VideoFrames> video_frames() const { return std::nullopt; }
 };
 
 std::unique_ptr<ImageReader> OpenFiles(std::vector<TimedFile> files);
 
 /// Opens a video. Its timestamps are those of the container, or index / `frame_rate_hz` if that is
 /// given. A timestamp that is not later than the previous one (a container without timestamps) is
-/// replaced by the previous one plus a frame's duration. Throws corvo::Error if the file is not a
+/// replaced by the previous one plus a frame's duration. Frames that cannot be decoded are left
+/// out. Images are turned upright as the container says. Throws corvo::Error if the file is not a
 /// video that can be decoded.
 std::unique_ptr<ImageReader> OpenVideo(const std::filesystem::path& file,
                                        std::optional<double> frame_rate_hz);
@@ -59,8 +71,8 @@ std::unique_ptr<ImageReader> OpenCamera(int device);
 /// Reads an image as 8-bit gray. Color is converted to 0.299 R + 0.587 G + 0.114 B (the luma of
 /// JPEG); of 16 bits the upper eight are kept. The orientation of EXIF is
 /// ignored, with a warning for the first image that has one. Throws corvo::Error if the file is not
-/// a readable image, is a truncated JPEG or PNG, is larger than kMaxImageBytes, or has more than
-/// kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
+/// a readable image, is a truncated or damaged JPEG or PNG, is larger than kMaxImageBytes, or has
+/// more than kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
 cv::Mat ReadGrayImage(const std::filesystem::path& file);
 
 /// Converts a decoded image like ReadGrayImage(). It must have 8 or 16 bits and one, three (BGR) or

@@ -77,6 +77,8 @@ class ImageSource {
   /// Returns whether this is a connected camera, whose sequence ends only when the user stops it.
   bool is_live() const { return list_.layout == "camera"; }
   const ImageList& list() const { return list_; }
+  /// Returns std::nullopt unless this is a video file.
+  std::optional<VideoFrames> video_frames() const { return reader_->video_frames(); }
 
  private:
   std::optional<TimedImage> ReadNext();

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "apps/dataset/decoder_messages.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
+#include "apps/dataset/packet_size.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -18,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDefaultFrameRateHz = 30.0;  // For videos without a frame rate.
+constexpr int kMaxDamagedInARow = 1000;
 
 /// The base of video and camera readers. Frames are grabbed in order, and decoded only by Read().
 class CaptureReader : public ImageReader {
@@ -27,48 +30,66 @@ class CaptureReader : public ImageReader {
 
   std::optional<TimedImage> Read() override {
     if (!Skip()) return std::nullopt;
-    const std::string name = fmt::format("{}, frame {}", name_, index_);
+    TimedImage read{{}, {}, time_ns_, index_, fmt::format("{}, frame {}", name_, index_)};
     cv::Mat image;
-    if (!Retrieve(image)) {
-      return TimedImage{{},
-                        {},
-                        time_ns_,
-                        index_,
-                        name,
-                        Reason::kUnreadableImage,
-                        fmt::format("{}: cannot be decoded", name)};
+    read.missing = Retrieve(image);
+    if (read.missing == Reason::kNone) {
+      read.color = Upright(image);
+      read.image = ToGray(read.color, read.name).clone();
+    } else if (read.missing == Reason::kWrongSize) {
+      read.error = fmt::format("{}: the image has another size than the first", read.name);
+    } else {
+      read.error = fmt::format("{}: cannot be decoded", read.name);
     }
-    return TimedImage{
-        ToGray(image, name).clone(), {}, time_ns_, index_, name, Reason::kNone, {}, image};
+    return read;
   }
 
+  /// The capture reports damage like the end; only another attempt tells them apart.
   bool Skip() override {
-    if (!Grab()) return false;
-    ++index_;
+    const int max_damaged = std::min(frames_.num_promised - index_ - 2, kMaxDamagedInARow);
+    int num_damaged = 0;
+    while (!Grab()) {
+      if (++num_damaged <= max_damaged) continue;
+      frames_.is_cut_off = IsCutOff(frames_, !complaint_.empty());
+      return false;
+    }
+    frames_.num_damaged += num_damaged;
+    ++frames_.num_read;
+    index_ += num_damaged + 1;
     time_ns_ = TimeOfGrabbed(capture_, index_, time_ns_);
     return true;
   }
+
+ protected:
+  VideoFrames frames_;
 
  private:
   bool Grab() {
     DecoderMessages messages;
     const bool is_grabbed = capture_.grab();
+    has_other_size_ = HasOtherSize();
     KeepComplaint(messages.Take());
     return is_grabbed;
   }
 
-  bool Retrieve(cv::Mat& image) {
+  /// Returns why there is no image of the grabbed frame, or Reason::kNone.
+  Reason Retrieve(cv::Mat& image) {
+    if (has_other_size_) return Reason::kWrongSize;
     bool is_retrieved = false;
+    std::string complaint;
     {
       DecoderMessages messages;
       is_retrieved = capture_.retrieve(image);
-      KeepComplaint(messages.Take());
+      complaint = messages.Take();
     }
+    // FFmpeg's scaler says so of an image that is higher than the first.
+    if (complaint.find("Slice parameters") != std::string::npos) return Reason::kWrongSize;
+    KeepComplaint(complaint);
     if (!complaint_.empty() && !has_complained_) {
       spdlog::warn("{}, frame {}: the decoder says: {}", name_, index_, complaint_);
       has_complained_ = true;
     }
-    return is_retrieved;
+    return is_retrieved ? Reason::kNone : Reason::kUnreadableImage;
   }
 
   void KeepComplaint(const std::string& complaint) {
@@ -78,20 +99,44 @@ class CaptureReader : public ImageReader {
   /// Returns the timestamp of the grabbed frame. `before` is the timestamp of the previous frame;
   /// it is ignored for the first.
   virtual TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) = 0;
+  /// Returns whether the last frames are missing. `has_errors` tells whether the decoder
+  /// complained.
+  virtual bool IsCutOff(const VideoFrames&, bool /*has_errors*/) const { return false; }
+  /// Returns whether the grabbed frame is known to have another size than the first.
+  virtual bool HasOtherSize() { return false; }
+  /// Returns a copy of an image, turned as it was taken.
+  virtual cv::Mat Upright(const cv::Mat& image) const { return image.clone(); }
 
   cv::VideoCapture capture_;
   std::string name_;
   std::string complaint_;        ///< The first message of the decoder.
   bool has_complained_ = false;  ///< Whether it was logged.
+  bool has_other_size_ = false;
   int index_ = -1;
   TimeNs time_ns_ = 0;
 };
 
+/// Returns by how much the container says that images are to be turned clockwise.
+int ClockwiseDegrees(const cv::VideoCapture& capture) {
+  const int said = static_cast<int>(capture.get(cv::CAP_PROP_ORIENTATION_META));
+  // OpenCV 4.6 counts counterclockwise (issue 22088 of OpenCV), earlier and later ones clockwise.
+  const bool is_opposite = cv::getVersionMajor() == 4 && cv::getVersionMinor() == 6;
+  return is_opposite ? (360 - said) % 360 : said;
+}
+
 class VideoReader : public CaptureReader {
  public:
-  VideoReader(const cv::VideoCapture& capture, const std::string& name,
+  VideoReader(const cv::VideoCapture& capture, const fs::path& file,
               std::optional<double> frame_rate_hz)
-      : CaptureReader(capture, name), frame_rate_hz_(frame_rate_hz) {
+      : CaptureReader(capture, file.string()),
+        packets_(file),
+        size_(static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+              static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT))),
+        frame_rate_hz_(frame_rate_hz),
+        clockwise_deg_(ClockwiseDegrees(capture)) {
+    constexpr double kMaxFrames = 1e9;
+    frames_.num_promised =
+        static_cast<int>(std::clamp(capture.get(cv::CAP_PROP_FRAME_COUNT), 0.0, kMaxFrames));
     const double said_hz = capture.get(cv::CAP_PROP_FPS);
     const bool is_plausible = said_hz >= 1e-3 && said_hz <= 1e6;
     frame_ns_ = std::llround(1e9 / (is_plausible ? said_hz : kDefaultFrameRateHz));
@@ -99,14 +144,55 @@ class VideoReader : public CaptureReader {
 
  private:
   TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) override {
-    if (frame_rate_hz_) return std::llround(1e9 * index / *frame_rate_hz_);
     const double said_ms = capture.get(cv::CAP_PROP_POS_MSEC);
     const TimeNs time_ns = std::isfinite(said_ms) ? std::llround(1e6 * said_ms) : 0;
+    last_ns_ = std::max(last_ns_, time_ns);
+    if (frame_rate_hz_) return std::llround(1e9 * index / *frame_rate_hz_);
     return index == 0 || time_ns > before ? time_ns : before + frame_ns_;
   }
 
+  cv::Mat Upright(const cv::Mat& image) const override {
+    cv::Mat turned;
+    switch (clockwise_deg_) {
+      case 90:
+        cv::rotate(image, turned, cv::ROTATE_90_CLOCKWISE);
+        return turned;
+      case 180:
+        cv::rotate(image, turned, cv::ROTATE_180);
+        return turned;
+      case 270:
+        cv::rotate(image, turned, cv::ROTATE_90_COUNTERCLOCKWISE);
+        return turned;
+      default:
+        return image.clone();
+    }
+  }
+
+  /// The number of frames may be an estimate from their duration: it counts only together with
+  /// errors, or if the duration is too short as well.
+  bool IsCutOff(const VideoFrames& frames, bool has_errors) const override {
+    constexpr double kMaxMissing = 0.01;
+    const int num_missing = frames.num_promised - frames.num_read - frames.num_damaged;
+    const auto promised_ns = static_cast<double>(frame_ns_) * frames.num_promised;
+    const auto missing_ns = promised_ns - static_cast<double>(last_ns_ + frame_ns_);
+    const bool is_short = missing_ns > std::max<double>(frame_ns_, kMaxMissing * promised_ns);
+    return num_missing > std::max<double>(1, kMaxMissing * frames.num_promised) &&
+           (is_short || has_errors);
+  }
+
+  bool HasOtherSize() override {
+    const auto size = packets_.Next();
+    return size && *size != size_;
+  }
+
+  std::optional<VideoFrames> video_frames() const override { return frames_; }
+
+  PacketSizes packets_;
+  cv::Size size_;  ///< As the images are stored.
   std::optional<double> frame_rate_hz_;
+  int clockwise_deg_ = 0;
   TimeNs frame_ns_ = 0;
+  TimeNs last_ns_ = 0;  ///< The last timestamp of the container.
 };
 
 class CameraReader : public CaptureReader {
@@ -138,7 +224,8 @@ cv::VideoCapture OpenCapture(const Source& source, int backend) {
 
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   DecoderMessages messages;
-  const cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
+  cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
+  capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);  // Its default depends on the version.
   if (!capture.isOpened()) {
     const std::string complaint = messages.Take();
     throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded{}",
@@ -147,7 +234,7 @@ std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<doubl
   CheckRange(file.string() + ": number of pixels",
              capture.get(cv::CAP_PROP_FRAME_WIDTH) * capture.get(cv::CAP_PROP_FRAME_HEIGHT), 0.0,
              static_cast<double>(kMaxImagePixels));
-  return std::make_unique<VideoReader>(capture, file.string(), frame_rate_hz);
+  return std::make_unique<VideoReader>(capture, file, frame_rate_hz);
 }
 
 std::unique_ptr<ImageReader> OpenCamera(int device) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/output/durable_file.h"
+#include "apps/output/error_text.h"
 #include "apps/output/manifest.h"
 #include "orb/error.h"
 
@@ -19,8 +20,13 @@ namespace fs = std::filesystem;
 class Moves {
  public:
   void Do(const fs::path& from, const fs::path& to) {
-    Move(from, to);
-    done_.emplace_back(from, to);
+    done_.emplace_back(from, to);  // Memory may run out here, but not after the move.
+    try {
+      Move(from, to);
+    } catch (const std::exception&) {
+      done_.pop_back();
+      throw;
+    }
   }
 
   void Undo() {
@@ -45,6 +51,7 @@ void SetAside(const std::string& name, const ResultPlaces& places, Moves& moves)
 /// interrupted commit is continued.
 void SetAsideEarlier(const ResultPlaces& places, Moves& moves) {
   const auto fresh = ReadManifest(places.staged / places.manifest);
+  if (!fresh) throw Error(fmt::format("{}: no staged result", places.staged.string()));
   SetAside(places.manifest, places, moves);
   if (const auto earlier = ReadManifest(places.aside / places.manifest)) {
     for (const ManifestFile& file : earlier->files) {
@@ -60,11 +67,8 @@ void SetAsideEarlier(const ResultPlaces& places, Moves& moves) {
 }  // namespace
 
 std::vector<std::string> StagedNames(const ResultPlaces& places) {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(places.staged)) {
-    const std::string name = entry.path().filename().string();
-    if (name != places.manifest) names.push_back(name);
-  }
+  std::vector<std::string> names = ListNames(places.staged);
+  std::erase(names, places.manifest);
   return names;
 }
 
@@ -84,7 +88,7 @@ void MoveIn(const ResultPlaces& places, bool& is_torn) {
     is_torn = true;
     moves.Undo();
     is_torn = false;
-    throw Error(error.what());
+    throw Error(ErrorText(error));
   }
 }
 

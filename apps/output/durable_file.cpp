@@ -2,9 +2,13 @@
 #include "apps/output/durable_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <ftw.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -37,6 +41,10 @@ class Descriptor {
   int number_;
 };
 
+struct CloseFolder {
+  void operator()(DIR* folder) const { closedir(folder); }
+};
+
 /// Exchanges two folders. Returns false if the system cannot.
 bool Exchange(const fs::path& a, const fs::path& b) {
 #ifdef RENAME_EXCHANGE
@@ -65,6 +73,29 @@ void Flush(const fs::path& file) {
   if (fsync(descriptor.number()) != 0 && errno != EINVAL) Fail(file, errno);
 }
 
+std::vector<std::string> ListNames(const fs::path& folder) {
+  const std::unique_ptr<DIR, CloseFolder> opened(opendir(folder.c_str()));
+  if (!opened && errno == ENOENT) return {};
+  std::vector<std::string> names;
+  if (opened) errno = 0;
+  while (const dirent* const entry = opened ? readdir(opened.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+    errno = 0;
+  }
+  if (errno == 0) return names;
+  throw Error(fmt::format("{}: cannot be read: {}", folder.string(), std::strerror(errno)));
+}
+
+bool RemoveTree(const fs::path& path) noexcept {
+  constexpr int kMaxDescriptors = 16;
+  const auto remove_entry = [](const char* entry, const struct stat*, int, FTW*) {
+    return std::remove(entry);
+  };
+  return nftw(path.c_str(), remove_entry, kMaxDescriptors, FTW_DEPTH | FTW_PHYS) == 0 ||
+         errno == ENOENT;
+}
+
 void Move(const fs::path& from, const fs::path& to) {
   if (rename(from.c_str(), to.c_str()) != 0) Fail(to, errno);
 }
@@ -78,8 +109,7 @@ void ReplaceFolder(const fs::path& from, const fs::path& to) {
     Move(from, to);
     Move(aside, from);
   }
-  std::error_code ignored;
-  fs::remove_all(from, ignored);
+  RemoveTree(from);
 }
 
 }  // namespace corvo

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <new>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/output/json_text.h"
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -120,12 +122,15 @@ std::string ToText(const Manifest& manifest) {
 }
 
 std::optional<Manifest> ReadManifest(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
+  const fs::file_status status = fs::status(file);
+  if (!fs::is_regular_file(status) || fs::file_size(file) > kMaxTextBytes) return std::nullopt;
+  const std::string text = ReadFileBytes(file, kMaxTextBytes);
   try {
-    const nlohmann::json json = nlohmann::json::parse(stream);
+    const nlohmann::json json = nlohmann::json::parse(text);
     if (json.at("format") != kFormat || json.at("version") != kVersion) return std::nullopt;
     return FromJson(json);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {  // Of another program, or cut off.
     return std::nullopt;
   }

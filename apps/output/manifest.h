@@ -42,7 +42,8 @@ bool IsUnchanged(const std::filesystem::path& file, const ManifestFile& expected
 
 std::string ToText(const Manifest& manifest);
 
-/// Returns std::nullopt if there is no such file or if it is not a manifest of corvo.
+/// Returns std::nullopt if there is no such file or if it is not a manifest of corvo. Throws
+/// corvo::Error or std::filesystem::filesystem_error if it cannot be read.
 std::optional<Manifest> ReadManifest(const std::filesystem::path& file);
 
 /// Returns the files that the manifests in a folder list, whether or not they exist.

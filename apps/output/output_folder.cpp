@@ -40,9 +40,8 @@ std::vector<fs::path> ForeignEntries(const fs::path& folder) {
   const auto manifest = ReadManifest(folder / kManifestName);
   if (!manifest) return {folder};
   std::vector<fs::path> foreign;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const bool is_manifest = entry.path().filename() == kManifestName;
-    if (!is_manifest && !IsOwn(entry.path(), manifest)) foreign.push_back(entry.path());
+  for (const std::string& name : ListNames(folder)) {
+    if (name != kManifestName && !IsOwn(folder / name, manifest)) foreign.push_back(folder / name);
   }
   return foreign;
 }
@@ -83,7 +82,9 @@ OutputFolder::OutputFolder(const fs::path& folder, OutputPlan plan)
     MoveStagedIn();
   }
   for (const fs::path& left_over : {places_.staged, places_.aside, work_.path() / "checkpoint"}) {
-    fs::remove_all(left_over);
+    if (!RemoveTree(left_over)) {
+      throw Error(fmt::format("{}: cannot be removed", left_over.string()));
+    }
   }
   std::vector<std::string> names = PlannedNames();
   names.push_back(places_.manifest);
@@ -101,15 +102,11 @@ void OutputFolder::Write(std::string_view name, std::string_view text) const {
   WriteFile(Stage(name), text);
 }
 
-void OutputFolder::Discard() const {
-  std::error_code ignored;
-  fs::remove_all(places_.staged, ignored);
-}
+void OutputFolder::Discard() const { RemoveTree(places_.staged); }
 
 std::vector<std::string> OutputFolder::PlannedNames() const {
   std::vector<std::string> names = plan_.names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(places_.folder)) {
-    const std::string name = entry.path().filename().string();
+  for (const std::string& name : ListNames(places_.folder)) {
     if (IsPlanned(name) && !std::ranges::count(names, name)) names.push_back(name);
   }
   return names;
@@ -155,9 +152,9 @@ std::optional<Manifest> OutputFolder::EarlierManifest() const {
 }
 
 void OutputFolder::Seal(const fs::path& staged, Manifest manifest) const {
-  for (const fs::directory_entry& entry : fs::directory_iterator(staged)) {
-    Flush(entry.path());
-    manifest.files.push_back(Describe(entry.path()));
+  for (const std::string& name : ListNames(staged)) {
+    Flush(staged / name);
+    manifest.files.push_back(Describe(staged / name));
   }
   std::ranges::sort(manifest.files, {}, &ManifestFile::name);
   WriteFile(staged / places_.manifest, ToText(manifest));
@@ -176,8 +173,7 @@ void OutputFolder::Commit(bool is_complete) {
   }
   Seal(places_.staged, std::move(manifest));
   MoveStagedIn();
-  std::error_code ignored;
-  if (!plan_.checkpoint.empty()) fs::remove_all(checkpoint(), ignored);
+  if (!plan_.checkpoint.empty()) RemoveTree(checkpoint());
 }
 
 void OutputFolder::MoveStagedIn() {

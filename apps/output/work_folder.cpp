@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -60,8 +61,8 @@ void WorkFolder::Lock() {
 }
 
 WorkFolder::~WorkFolder() {
+  if (!is_kept_) RemoveTree(path_);
   std::error_code ignored;
-  if (!is_kept_) fs::remove_all(path_, ignored);
   if (made_around_) fs::remove(around_, ignored);  // Fails unless the folder is empty.
   close(lock_);
 }

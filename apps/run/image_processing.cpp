@@ -5,7 +5,11 @@
 
 #include <fmt/format.h>
 
+<<<<<<< HEAD
 #include "apps/run/image_names.h"
+=======
+#include "apps/output/error_text.h"
+>>>>>>> 2c51c92 (Damaged videos and images: frames promised, read and damaged are counted, decoding goes on behind damage, sizes that change, rotation tags; synth leaves the user's files)
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
 #include "apps/run/stopwatch.h"
@@ -115,7 +119,7 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
     ImageLoop(arguments, inputs, drawings, checkpoint).Run(inputs.source, interruption, record);
   } catch (const std::exception& error) {
     if (record.timings.empty()) throw;
-    record.end = {error.what(), kFailed};
+    record.end = {ErrorText(error), kFailed};
   }
   record.trajectory = record.odometry.Finish();
   if (arguments.refine && record.end.is_complete()) {

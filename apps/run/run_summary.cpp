@@ -93,8 +93,9 @@ void Warn(const RunRecord& record, RunSummary& summary) {
   for (const std::string& warning :
        {MissingImageWarning(Reason::kUnreadableImage, summary.reasons, record.first_errors),
         MissingImageWarning(Reason::kWrongSize, summary.reasons, record.first_errors),
-        ScaleWarning(summary.uncertain_scale), BlurWarning(summary.num_blurred, summary.num_frames),
-        ResidualWarning(summary.residuals), FocalLengthWarning(summary.check, map.camera().fx()),
+        VideoWarning(summary.video), ScaleWarning(summary.uncertain_scale),
+        BlurWarning(summary.num_blurred, summary.num_frames), ResidualWarning(summary.residuals),
+        FocalLengthWarning(summary.check, map.camera().fx()),
         ContradictionWarning(summary.calibration)}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
@@ -183,6 +184,14 @@ Json ToJson(const MatchResiduals& residuals, const CalibrationCheck& check) {
           {"implausible_calibration", check.is_implausible || IsImplausible(residuals)}};
 }
 
+Json ToJson(const VideoFrames& frames) {
+  Json json = {{"frames_promised", nullptr},
+               {"frames_read", frames.num_read},
+               {"frames_damaged", frames.num_damaged}};
+  if (frames.num_promised > 0) json["frames_promised"] = frames.num_promised;
+  return json;
+}
+
 Json ToJson(const std::vector<FrameRange>& ranges) {
   Json json = Json::array();
   for (const FrameRange& range : ranges) json.push_back({range.first, range.last});
@@ -201,6 +210,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["frames"] = summary.num_frames;
   json["frames_expected"] = nullptr;
   if (summary.num_expected) json["frames_expected"] = *summary.num_expected;
+  if (summary.video) json["video"] = ToJson(*summary.video);
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
   json["rotations"] = summary.num_rotations;
@@ -228,6 +238,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.outcome = JudgeOutcome(trajectory);
   summary.end = record.end;
   summary.num_expected = inputs.source.size();
+  summary.video = inputs.source.video_frames();
   CountFrames(trajectory, summary);
   summary.num_keyframes = map.num_keyframes();
   summary.num_landmarks = record.finished->size() + map.num_landmarks();

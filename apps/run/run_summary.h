@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/dataset/image_reader.h"
 #include "apps/output/calibration_report.h"
 #include "apps/output/refinement_report.h"
 #include "apps/run/outcome.h"
@@ -26,6 +27,7 @@ struct RunSummary {
   RunEnd end;
   int num_frames = 0;
   std::optional<int> num_expected;  ///< Number of selected images, if it is known.
+  std::optional<VideoFrames> video;
   int num_posed = 0;
   int num_rotations = 0;          ///< Number of frames with a rotation, with or without a pose.
   int num_repeated = 0;           ///< Number of frames whose image repeats that of an earlier one.

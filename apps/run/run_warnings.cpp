@@ -29,6 +29,17 @@ std::string MissingImageWarning(Reason reason, const std::map<Reason, int>& coun
                      count->second == 1 ? " was" : "s were", ToString(reason), error->second);
 }
 
+std::string VideoWarning(const std::optional<VideoFrames>& frames) {
+  if (!frames) return "";
+  if (frames->num_damaged == 0 && !frames->is_cut_off) return "";
+  return fmt::format(
+      "the video is {}: it promises {} frames, {} were read{}",
+      frames->is_cut_off ? "cut off or damaged" : "damaged", frames->num_promised, frames->num_read,
+      frames->num_damaged == 0
+          ? ""
+          : fmt::format(", and {} between them cannot be decoded", frames->num_damaged));
+}
+
 std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
   constexpr std::size_t kMaxRanges = 5;
   if (ranges.empty()) return "";

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "apps/dataset/image_reader.h"
 #include "apps/output/calibration_report.h"
 #include "vo/core/trajectory.h"
 #include "vo/offline/calibration_check.h"
@@ -33,6 +35,8 @@ int CountBlurredFrames(const Trajectory& trajectory);
 /// Warns of images that are missing for one reason, and names the first.
 std::string MissingImageWarning(Reason reason, const std::map<Reason, int>& counts,
                                 const std::map<Reason, std::string>& first_errors);
+/// Warns of frames of a video that cannot be decoded, or that its container promises in vain.
+std::string VideoWarning(const std::optional<VideoFrames>& frames);
 std::string ScaleWarning(const std::vector<FrameRange>& ranges);
 /// Warns if more than a tenth of the frames are blurred.
 std::string BlurWarning(int num_blurred, int num_frames);

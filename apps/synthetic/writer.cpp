@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <regex>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,6 +41,55 @@ std::string Seconds(TimeNs time_ns) {
   return fmt::format("{}.{:09}", time_ns / 1000000000, time_ns % 1000000000);
 }
 
+/// Returns whether images or texts have this name in the folder of a sequence, in any layout.
+bool IsWrittenName(const std::string& name) {
+  static const std::regex names(
+      R"(rgb/\d+\.\d{9}\.png|(rgb|groundtruth|poses/00|sequences/00/(times|calib))\.txt|)"
+      R"(sequences/00/image_0/\d{6,}\.png|mav0/cam0/(data/\d+\.png|data\.csv|sensor\.yaml)|)"
+      R"(mav0/state_groundtruth_estimate0/data\.csv)");
+  return std::regex_match(name, names);
+}
+
+/// Returns the files below the folders of all layouts.
+std::vector<fs::path> ListFiles(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* name : kWritten) {
+    const fs::file_status status = fs::symlink_status(folder / name);
+    if (fs::exists(status) && !fs::is_directory(status)) files.push_back(folder / name);
+    if (!fs::is_directory(status)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / name)) {
+      if (!fs::is_directory(entry.symlink_status())) files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+/// Removes a folder and its subfolders where they are empty.
+void RemoveEmptyFolders(const fs::path& folder) {
+  if (!fs::is_directory(fs::symlink_status(folder))) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    RemoveEmptyFolders(entry.path());
+  }
+  std::error_code ignored;
+  fs::remove(folder, ignored);  // Fails unless it is empty.
+}
+
+/// Removes the images and texts of a sequence, and leaves files of other names.
+void RemoveWritten(const fs::path& folder) {
+  for (const fs::path& file : ListFiles(folder)) {
+    if (IsWrittenName(file.lexically_relative(folder).string())) fs::remove(file);
+  }
+  for (const char* name : kWritten) RemoveEmptyFolders(folder / name);
+}
+
+/// Returns a file among those of an earlier sequence that has another name; empty if there is none.
+fs::path FindForeignFile(const fs::path& folder) {
+  for (const fs::path& file : ListFiles(folder)) {
+    if (!IsWrittenName(file.lexically_relative(folder).string())) return file;
+  }
+  return {};
+}
+
 /// Creates the folder and removes the files of an earlier sequence in it. Throws corvo::Error if it
 /// contains other files, unless `force` is set.
 void ClaimFolder(const fs::path& folder, bool force) {
@@ -47,8 +98,14 @@ void ClaimFolder(const fs::path& folder, bool force) {
   }
   MakeFolder(folder);
   if (fs::exists(folder / kMarker)) {
-    for (const char* name : kWritten) fs::remove_all(folder / name);
-  } else if (!fs::is_empty(folder) && !force) {
+    const fs::path foreign = FindForeignFile(folder);
+    if (foreign.empty() || force) return RemoveWritten(folder);
+    throw Error(
+        fmt::format("{}: is not a file of a synthetic sequence; nothing was replaced: choose "
+                    "another folder, or use --force to replace the files around it",
+                    foreign.string()));
+  }
+  if (!fs::is_empty(folder) && !force) {
     throw Error(
         fmt::format("{}: contains files that are not a synthetic sequence; choose another folder, "
                     "or use --force to overwrite them",
@@ -158,7 +215,7 @@ void WriteTexts(const Sequence& sequence, const fs::path& folder, Layout layout)
 }  // namespace
 
 void RemoveSequence(const fs::path& folder) {
-  for (const char* name : kWritten) fs::remove_all(folder / name);
+  RemoveWritten(folder);
   for (const char* name : {"camera.yaml", kMarker}) fs::remove(folder / name);
 }
 

@@ -203,6 +203,18 @@ TEST(MoveIn, RestoresTheEarlierResultIfAFileCannotBeMoved) {
   EXPECT_FALSE(fs::exists(folder / "stale.txt"));
 }
 
+TEST(MoveIn, RejectsFilesWithoutAManifestAndTouchesNothing) {
+  TempFolder folder;
+  WriteResult(folder.path(), {"a.txt"}, "old");
+  const auto before = FilesOf(folder.path());
+  const ResultPlaces places{folder.path(), folder / "work/new", folder / "work/old", kManifestName};
+  WriteText(places.staged / "a.txt", "new");
+  bool is_torn = false;
+  EXPECT_THAT(ErrorOf([&] { MoveIn(places, is_torn); }), HasSubstr("no staged result"));
+  fs::remove_all(folder / "work");
+  EXPECT_EQ(FilesOf(folder.path()), before);
+}
+
 TEST(OutputFolder, AfterAKillHoldsOneWholeResult) {
   TempFolder folder;
   const std::vector<std::string> names = {"1.txt", "2.txt", "3.txt", "4.txt"};

@@ -53,6 +53,27 @@ TEST(Synth, EurocSequencesNeedNoCameraFile) {
   EXPECT_EQ(run.exit_code, 2) << run.err;  // Two frames yield no pose.
 }
 
+TEST(Synth, LeavesTheUsersFilesBetweenItsImages) {
+  for (const std::string layout : {"tum", "kitti", "euroc"}) {
+    const TempFolder folder;
+    const std::vector<std::string> options = {"--width", "64", "--layout", layout};
+    ASSERT_EQ(Synth("wall", folder.path(), options).exit_code, 0);
+    EXPECT_EQ(Synth("wall", folder.path(), options).exit_code, 0);
+    const std::string name = layout == "tum"     ? "rgb/notes.txt"
+                             : layout == "kitti" ? "sequences/00/image_0/mask.png"
+                                                 : "mav0/cam0/data/1a.png";
+    WriteText(folder / name, "mine");
+    const CommandResult again = Synth("room", folder.path(), options);
+    EXPECT_EQ(again.exit_code, 1);
+    EXPECT_THAT(again.err, HasSubstr(name + ": is not a file of a synthetic sequence"));
+    EXPECT_THAT(ReadText(folder / "synthetic.yaml"), HasSubstr("scene: wall"));
+    std::vector<std::string> forced = options;
+    forced.emplace_back("--force");
+    EXPECT_EQ(Synth("room", folder.path(), forced).exit_code, 0);
+    EXPECT_EQ(ReadText(folder / name), "mine");
+  }
+}
+
 TEST(Synth, ErrorsNameValuesOutOfRange) {
   const TempFolder folder;
   for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "--drift: 9"},
