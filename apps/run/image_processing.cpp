@@ -5,11 +5,8 @@
 
 #include <fmt/format.h>
 
-<<<<<<< HEAD
-#include "apps/run/image_names.h"
-=======
 #include "apps/output/error_text.h"
->>>>>>> 2c51c92 (Damaged videos and images: frames promised, read and damaged are counted, decoding goes on behind damage, sizes that change, rotation tags; synth leaves the user's files)
+#include "apps/run/image_names.h"
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
 #include "apps/run/stopwatch.h"

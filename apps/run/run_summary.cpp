@@ -210,7 +210,7 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["frames"] = summary.num_frames;
   json["frames_expected"] = nullptr;
   if (summary.num_expected) json["frames_expected"] = *summary.num_expected;
-  if (summary.video) json["video"] = ToJson(*summary.video);
+  if (summary.video) json["video_frames"] = ToJson(*summary.video);
   json["posed"] = summary.num_posed;
   json["posed_share"] = Share(summary.num_posed, summary.num_frames);
   json["rotations"] = summary.num_rotations;
