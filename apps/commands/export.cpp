@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands/force_flag.h"
+#include "apps/commands/number_option.h"
 #include "apps/export/colmap_model.h"
 #include "apps/export/export_folder.h"
 #include "apps/export/exported_images.h"
@@ -85,28 +86,41 @@ std::size_t CountObservations(const Reconstruction& reconstruction) {
   return count;
 }
 
-void Export(const ExportArguments& arguments) {
-  const RunResult result = ReadRunResult(arguments.result);
-  std::vector<int> segments = SegmentsBySize(result);
+/// Returns the exported segments, the largest first. Throws corvo::Error if there are none.
+std::vector<int> SelectSegments(const ExportArguments& arguments, const RunResult& result) {
+  const std::vector<int> segments = SegmentsBySize(result);
   if (segments.empty()) {
     throw Error(fmt::format("{}: no frame has a pose", arguments.result.string()));
   }
-  if (arguments.format == "nerfstudio") segments.resize(1);
+  if (arguments.format == "nerfstudio") return {segments.front()};
+  return segments;
+}
+
+/// Writes a segment, the n-th of the export from 0, and returns a line that describes it.
+std::string WriteSegment(const ExportArguments& arguments, const RunResult& result, int segment,
+                         int n, const ExportFolder& folder) {
+  const auto& [reconstruction, undistortion] = ExportSegment(arguments, result, segment);
+  if (arguments.format == "colmap") {
+    WriteColmap(arguments, reconstruction, fs::path("sparse") / std::to_string(n), folder);
+  } else {
+    WriteNerfstudio(reconstruction, folder);
+  }
+  if (arguments.writes_images) {
+    ExportImages(result, reconstruction, undistortion, folder.staging() / "images");
+  }
+  return fmt::format("segment {}: {} images, {} points, {} observations\n", segment,
+                     reconstruction.images.size(), reconstruction.points.size(),
+                     CountObservations(reconstruction));
+}
+
+void Export(const ExportArguments& arguments) {
+  const RunResult result = ReadRunResult(arguments.result);
+  const std::vector<int> segments = SelectSegments(arguments, result);
   ExportFolder folder(arguments.output, arguments.force);
   std::string text;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const auto& [reconstruction, undistortion] = ExportSegment(arguments, result, segments[i]);
-    if (arguments.format == "colmap") {
-      WriteColmap(arguments, reconstruction, fs::path("sparse") / std::to_string(i), folder);
-    } else {
-      WriteNerfstudio(reconstruction, folder);
-    }
-    if (arguments.writes_images) {
-      ExportImages(result, reconstruction, undistortion, folder.staging() / "images");
-    }
-    text += fmt::format("segment {}: {} images, {} points, {} observations\n", segments[i],
-                        reconstruction.images.size(), reconstruction.points.size(),
-                        CountObservations(reconstruction));
+  int num_written = 0;
+  for (const int segment : segments) {
+    text += WriteSegment(arguments, result, segment, num_written++, folder);
   }
   folder.Commit(JsonText({{"result", fs::absolute(arguments.result).string()},
                           {"format", arguments.format},
@@ -139,7 +153,7 @@ void AddExportCommand(CLI::App& app) {
   command
       ->add_option("--max-depth-sigma", arguments->points.max_relative_depth_sigma,
                    "largest standard deviation of a point's depth, as a share of the depth")
-      ->check(CLI::Range(1e-6, 1e6))
+      ->check(NumberRange(1e-6, 1e6))
       ->capture_default_str();
   AddForceFlag(*command, arguments->force);
   command->footer(kFooter);

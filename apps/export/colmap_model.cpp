@@ -76,8 +76,9 @@ std::string ImagesText(const Reconstruction& reconstruction) {
   int id = 0;
   for (const ReconstructedImage& image : reconstruction.images) {
     const SE3 pose = image.world_from_camera.Inverse();
-    const Eigen::Quaterniond& q = pose.rotation().quaternion();
-    const Eigen::Vector3d& t = pose.translation();
+    // Adding zero makes a negative zero positive.
+    const Eigen::Vector4d q = pose.rotation().quaternion().coeffs().array() + 0.0;
+    const Eigen::Vector3d t = pose.translation().array() + 0.0;
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {} {} 1 {}\n", ++id, q.w(), q.x(),
                    q.y(), q.z(), t.x(), t.y(), t.z(), image.name);
     const char* separator = "";
