@@ -16,6 +16,7 @@
 #include "apps/export/exported_images.h"
 #include "apps/export/nerfstudio_transforms.h"
 #include "apps/export/point_cloud.h"
+#include "apps/export/point_colors.h"
 #include "apps/export/point_selection.h"
 #include "apps/export/run_result.h"
 #include "apps/output/json_text.h"
@@ -57,6 +58,8 @@ Exported ExportSegment(const ExportArguments& arguments, const RunResult& result
   const auto frames = arguments.frames == "all" ? ExportedFrames::kAll : ExportedFrames::kKeyframes;
   Exported exported{MakeReconstruction(result, segment, frames), std::nullopt};
   SelectPoints(arguments.points, exported.reconstruction);
+  // The points of a video were given their colors during the run.
+  if (!result.image_folder.empty()) ColorPoints(result.image_folder, exported.reconstruction);
   if (arguments.undistorts) {
     exported.undistortion.emplace(Camera(result.camera));
     exported.undistortion->Apply(exported.reconstruction);

@@ -3,12 +3,16 @@
 
 #include <cstring>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "apps/export/colmap_camera.h"
 #include "apps/export/colmap_model.h"
 #include "apps/export/nerfstudio_transforms.h"
+#include "apps/export/point_colors.h"
 #include "apps/export/point_selection.h"
 #include "apps/export/undistortion.h"
 #include "orb/error.h"
+#include "tests/support/data.h"
 #include "tests/support/point_scene.h"
 #include "vo/camera/camera.h"
 
@@ -124,6 +128,21 @@ TEST(PointSelection, KeepsPointsOfKnownDepthAndTheirConsistentObservations) {
   EXPECT_EQ(reconstruction.points[0].id, 9);
   ASSERT_EQ(reconstruction.images[1].observations.size(), 1u);
   EXPECT_EQ(reconstruction.images[1].observations[0].point, 0);
+}
+
+TEST(PointColors, AreThoseOfTheFirstImageThatCanBeRead) {
+  const test::TemporaryDir folder;
+  Reconstruction reconstruction = SmallReconstruction();
+  reconstruction.images[0].name = "missing.png";
+  reconstruction.images[1].name = "small.png";
+  // Half the size of the camera's images, red on the left and blue on the right.
+  cv::Mat image(240, 320, CV_8UC3, cv::Scalar(0, 0, 200));
+  image.colRange(160, 320) = cv::Scalar(200, 0, 0);
+  ASSERT_TRUE(cv::imwrite((folder.path() / "small.png").string(), image));
+  ColorPoints(folder.path(), reconstruction);
+  using Rgb = std::array<std::uint8_t, 3>;
+  EXPECT_EQ(reconstruction.points[0].rgb, (Rgb{200, 0, 0}));  // At x = 269.5.
+  EXPECT_EQ(reconstruction.points[1].rgb, (Rgb{0, 0, 200}));  // At x = 361.
 }
 
 TEST(Undistortion, MovesObservationsAndPixelsAlike) {

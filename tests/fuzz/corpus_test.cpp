@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,10 @@
 #include "tests/fuzz/targets.h"
 
 namespace corvo::fuzz {
+
+/// Prints a target in GoogleTest's messages, and in CTest's list of tests.
+void PrintTo(const Target& target, std::ostream* stream) { *stream << target.name; }
+
 namespace {
 
 namespace fs = std::filesystem;
