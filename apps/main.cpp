@@ -72,15 +72,7 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   return kBadInput;
 }
 
-int Main(int argc, char** argv) {
-  SetUpLogging();
-  EndOnInterruption();
-  int exit_code = 0;
-  CLI::App app("Monocular visual odometry: images in, camera trajectory and sparse map out.",
-               "corvo");
-  app.set_version_flag("--version", CORVO_VERSION);
-  app.require_subcommand(0, 1);
-  app.footer(kFooter);
+void AddCommands(CLI::App& app, int& exit_code) {
   AddRunCommand(app, exit_code);
   AddCalibrateCommand(app, exit_code);
   AddEvalCommand(app);
@@ -90,6 +82,18 @@ int Main(int argc, char** argv) {
   AddMatchCommand(app);
   AddLearnCommand(app);
   AddConfigCommand(app);
+}
+
+int Main(int argc, char** argv) {
+  SetUpLogging();
+  EndOnInterruption();
+  int exit_code = 0;
+  CLI::App app("Monocular visual odometry: images in, camera trajectory and sparse map out.",
+               "corvo");
+  app.set_version_flag("--version", CORVO_VERSION);
+  app.require_subcommand(0, 1);
+  app.footer(kFooter);
+  AddCommands(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

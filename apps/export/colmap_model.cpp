@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "apps/export/colmap_model.h"
 
-#include <bit>
 #include <cstdint>
 #include <iterator>
-#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/export/colmap_camera.h"
+#include "apps/output/binary_data.h"
 #include "vo/camera/camera.h"
 
 namespace corvo {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "binary models are little-endian");
 
 /// An observation from the point's side.
 struct TrackEntry {
@@ -115,9 +112,7 @@ class Bytes {
  public:
   template <typename T>
   void Add(T value) {
-    static_assert(std::is_arithmetic_v<T>);
-    const auto* first = reinterpret_cast<const char*>(&value);
-    bytes_.append(first, sizeof value);
+    AppendBytes(value, bytes_);
   }
   void Add(const Eigen::Vector3d& v) {
     for (int i = 0; i < 3; ++i) Add(v[i]);

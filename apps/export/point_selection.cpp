@@ -28,10 +28,17 @@ struct PointEvidence {
   }
 };
 
+/// A camera at its place.
+struct PosedCamera {
+  const Camera& camera;
+  SE3 camera_from_world;
+};
+
 /// Adds an observation to the evidence. Returns whether the error is small enough to do so.
-bool AddEvidence(const Camera& camera, const SE3& camera_from_world,
-                 const Eigen::Vector3d& in_world, const PointObservation& observation,
-                 double max_error_sigmas, PointEvidence& evidence) {
+bool AddEvidence(const PosedCamera& posed, const Eigen::Vector3d& in_world,
+                 const PointObservation& observation, double max_error_sigmas,
+                 PointEvidence& evidence) {
+  const auto& [camera, camera_from_world] = posed;
   Camera::Jacobian pixel_by_point;
   const Eigen::Vector3d in_camera = camera_from_world * in_world;
   const auto pixel = camera.Project(in_camera, &pixel_by_point);
@@ -51,10 +58,10 @@ std::vector<PointEvidence> CollectEvidence(double max_error_sigmas,
   const Camera camera(reconstruction.camera);
   std::vector<PointEvidence> evidence(reconstruction.points.size());
   for (ReconstructedImage& image : reconstruction.images) {
-    const SE3 camera_from_world = image.world_from_camera.Inverse();
+    const PosedCamera posed{camera, image.world_from_camera.Inverse()};
     std::erase_if(image.observations, [&](const PointObservation& o) {
-      return !AddEvidence(camera, camera_from_world, reconstruction.points[o.point].in_world, o,
-                          max_error_sigmas, evidence[o.point]);
+      return !AddEvidence(posed, reconstruction.points[o.point].in_world, o, max_error_sigmas,
+                          evidence[o.point]);
     });
   }
   return evidence;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/map_ply.h"
 
-#include <bit>
 #include <cstring>
 
 #include <fmt/format.h>
 
+#include "apps/output/binary_data.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the files are little-endian");
 
 constexpr std::size_t kRecordSize = 3 * sizeof(double) + 3 + 3 * sizeof(std::int32_t);
 
@@ -25,26 +23,13 @@ std::string Header(std::size_t num_vertices) {
       num_vertices);
 }
 
-template <typename T>
-void Append(const T& value, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-template <typename T>
-T Take(const char*& bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  bytes += sizeof value;
-  return value;
-}
-
 MapPoint TakePoint(const char*& bytes) {
   MapPoint point;
-  for (int i = 0; i < 3; ++i) point.in_world[i] = Take<double>(bytes);
-  for (std::uint8_t& channel : point.rgb) channel = Take<std::uint8_t>(bytes);
-  point.id = Take<std::int32_t>(bytes);
-  point.segment = Take<std::int32_t>(bytes);
-  point.num_observations = Take<std::int32_t>(bytes);
+  for (int i = 0; i < 3; ++i) point.in_world[i] = TakeBytes<double>(bytes);
+  for (std::uint8_t& channel : point.rgb) channel = TakeBytes<std::uint8_t>(bytes);
+  point.id = TakeBytes<std::int32_t>(bytes);
+  point.segment = TakeBytes<std::int32_t>(bytes);
+  point.num_observations = TakeBytes<std::int32_t>(bytes);
   return point;
 }
 
@@ -54,11 +39,11 @@ std::string ToPly(const std::vector<MapPoint>& points) {
   std::string bytes = Header(points.size());
   bytes.reserve(bytes.size() + kRecordSize * points.size());
   for (const MapPoint& point : points) {
-    for (int i = 0; i < 3; ++i) Append(point.in_world[i], bytes);
-    for (const std::uint8_t channel : point.rgb) Append(channel, bytes);
-    Append(std::int32_t{point.id}, bytes);
-    Append(std::int32_t{point.segment}, bytes);
-    Append(std::int32_t{point.num_observations}, bytes);
+    for (int i = 0; i < 3; ++i) AppendBytes(point.in_world[i], bytes);
+    for (const std::uint8_t channel : point.rgb) AppendBytes(channel, bytes);
+    AppendBytes(std::int32_t{point.id}, bytes);
+    AppendBytes(std::int32_t{point.segment}, bytes);
+    AppendBytes(std::int32_t{point.num_observations}, bytes);
   }
   return bytes;
 }

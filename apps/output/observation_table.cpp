@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/observation_table.h"
 
-#include <bit>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -9,13 +8,12 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
+#include "apps/output/binary_data.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the files are little-endian");
 
 constexpr std::size_t kRowSize = 18;
 /// NumPy aligns the data at 64 bytes; the number of rows is written once it is known.
@@ -31,19 +29,6 @@ std::string Header(std::size_t num_rows) {
   header.append(reinterpret_cast<const char*>(&text_size), sizeof text_size);
   text.resize(text_size - 1, ' ');
   return header + text + '\n';
-}
-
-template <typename T>
-void Append(const T& value, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-template <typename T>
-T Take(const char*& bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  bytes += sizeof value;
-  return value;
 }
 
 }  // namespace
@@ -64,11 +49,11 @@ ObservationWriter::~ObservationWriter() = default;
 
 void ObservationWriter::Add(const ObservationRow& row) {
   std::string bytes;
-  Append(static_cast<std::uint32_t>(row.frame), bytes);
-  Append(static_cast<std::uint32_t>(row.landmark), bytes);
-  Append(row.x, bytes);
-  Append(row.y, bytes);
-  Append(Eigen::half(row.sigma_px).x, bytes);
+  AppendBytes(static_cast<std::uint32_t>(row.frame), bytes);
+  AppendBytes(static_cast<std::uint32_t>(row.landmark), bytes);
+  AppendBytes(row.x, bytes);
+  AppendBytes(row.y, bytes);
+  AppendBytes(Eigen::half(row.sigma_px).x, bytes);
   file_->out << bytes;
   ++file_->num_rows;
 }
@@ -91,11 +76,11 @@ std::vector<ObservationRow> ReadObservations(const std::filesystem::path& file) 
   const char* next = bytes.data() + kHeaderSize;
   std::vector<ObservationRow> rows(num_rows);
   for (ObservationRow& row : rows) {
-    row.frame = static_cast<int>(Take<std::uint32_t>(next));
-    row.landmark = static_cast<int>(Take<std::uint32_t>(next));
-    row.x = Take<float>(next);
-    row.y = Take<float>(next);
-    const auto half_bits = Take<std::uint16_t>(next);
+    row.frame = static_cast<int>(TakeBytes<std::uint32_t>(next));
+    row.landmark = static_cast<int>(TakeBytes<std::uint32_t>(next));
+    row.x = TakeBytes<float>(next);
+    row.y = TakeBytes<float>(next);
+    const auto half_bits = TakeBytes<std::uint16_t>(next);
     row.sigma_px = static_cast<float>(
         Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(half_bits)));
   }
