@@ -7,6 +7,7 @@
 #include "apps/commands/calibrate.h"
 #include "apps/commands/config.h"
 #include "apps/commands/eval.h"
+#include "apps/commands/export.h"
 #include "apps/commands/features.h"
 #include "apps/commands/learn.h"
 #include "apps/commands/match.h"
@@ -16,14 +17,6 @@
 
 namespace corvo::fuzz {
 namespace {
-
-/// Replaces what a command does after its arguments have been parsed by nothing.
-void DoNothing(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands({})) {
-    command->callback([] {});
-    DoNothing(*command);
-  }
-}
 
 /// Returns the lines of a text in reverse, as CLI::App::parse takes them.
 std::vector<std::string> ReversedLines(const std::string& text) {
@@ -48,12 +41,14 @@ void FuzzCommandLine(Bytes bytes) {
   AddRunCommand(app, exit_code);
   AddCalibrateCommand(app, exit_code);
   AddEvalCommand(app);
+  AddExportCommand(app);
   AddSynthCommand(app, exit_code);
   AddFeaturesCommand(app);
   AddMatchCommand(app);
   AddLearnCommand(app);
   AddConfigCommand(app);
-  DoNothing(app);
+  // It is called once everything has been parsed and checked, before the command is executed.
+  app.parse_complete_callback([] { throw CLI::Success(); });
   AllowError([&] {
     try {
       app.parse(ReversedLines(Input(bytes).Text()));

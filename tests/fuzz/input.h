@@ -54,7 +54,7 @@ class Input {
   T Raw() {
     T value{};
     const std::size_t size = std::min(sizeof(T), bytes_.size());
-    std::memcpy(&value, bytes_.data(), size);
+    if (size > 0) std::memcpy(&value, bytes_.data(), size);  // The data of no bytes may be null.
     bytes_ = bytes_.subspan(size);
     return value;
   }
