@@ -16,19 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "apps/commands/calibrate.h"
-#include "apps/commands/config.h"
-#include "apps/commands/eval.h"
-#include "apps/commands/export.h"
-#include "apps/commands/features.h"
-#include "apps/commands/learn.h"
-#include "apps/commands/match.h"
-#include "apps/commands/run.h"
-#include "apps/commands/synth.h"
-#include "apps/dataset/decoder_messages.h"
+#include "apps/commands/commands.h"
+#include "apps/output/decoder_messages.h"
 #include "apps/output/error_text.h"
+#include "apps/output/interruption.h"
 #include "apps/output/log_format.h"
-#include "apps/run/interruption.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -70,18 +62,6 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   }
   spdlog::error("{} (see --help)", ErrorText(error));
   return kBadInput;
-}
-
-void AddCommands(CLI::App& app, int& exit_code) {
-  AddRunCommand(app, exit_code);
-  AddCalibrateCommand(app, exit_code);
-  AddEvalCommand(app);
-  AddExportCommand(app);
-  AddSynthCommand(app, exit_code);
-  AddFeaturesCommand(app);
-  AddMatchCommand(app);
-  AddLearnCommand(app);
-  AddConfigCommand(app);
 }
 
 int Main(int argc, char** argv) {

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "apps/commands/force_flag.h"
-#include "apps/commands/number_option.h"
 #include "apps/export/colmap_model.h"
 #include "apps/export/export_folder.h"
 #include "apps/export/exported_images.h"
@@ -21,6 +20,7 @@
 #include "apps/export/run_result.h"
 #include "apps/output/json_text.h"
 #include "apps/output/printable.h"
+#include "apps/run/number_option.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "apps/commands/number_option.h"
+#include "apps/output/interruption.h"
 #include "apps/output/printable.h"
-#include "apps/run/interruption.h"
+#include "apps/run/number_option.h"
 #include "apps/synthetic/sequence.h"
 #include "apps/synthetic/writer.h"
 #include "vo/io/config.h"

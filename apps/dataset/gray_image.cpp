@@ -9,9 +9,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "apps/dataset/decoder_messages.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
+#include "apps/output/decoder_messages.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 

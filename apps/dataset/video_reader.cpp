@@ -8,10 +8,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/dataset/decoder_messages.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/packet_size.h"
+#include "apps/output/decoder_messages.h"
 #include "orb/error.h"
 
 namespace corvo {

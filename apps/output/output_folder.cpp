@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/output/durable_file.h"
-#include "apps/run/interruption.h"
+#include "apps/output/interruption.h"
 #include "orb/error.h"
 
 namespace corvo {

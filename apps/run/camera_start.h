@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "apps/run/interruption.h"
+#include "apps/output/interruption.h"
 #include "vo/offline/self_calibration.h"
 
 namespace corvo {

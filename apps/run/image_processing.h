@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "apps/output/interruption.h"
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
-#include "apps/run/interruption.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_record.h"
 

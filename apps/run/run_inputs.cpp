@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands/number_option.h"
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/shipped_cameras.h"
 #include "apps/dataset/tum_mono_sequence.h"
 #include "apps/run/camera_check.h"
 #include "apps/run/camera_start.h"
+#include "apps/run/number_option.h"
 #include "apps/run/sequence_stream.h"
 #include "apps/run/stated_focal.h"
 #include "orb/error.h"

@@ -9,7 +9,7 @@
 #include <CLI/App.hpp>
 
 #include "apps/dataset/image_source.h"
-#include "apps/run/interruption.h"
+#include "apps/output/interruption.h"
 #include "apps/run/run_truth.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/options.h"

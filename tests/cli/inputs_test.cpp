@@ -10,8 +10,8 @@
 
 #include "apps/dataset/image_source.h"
 #include "apps/dataset/tum_mono_sequence.h"
+#include "apps/output/interruption.h"
 #include "apps/run/camera_start.h"
-#include "apps/run/interruption.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/sequence_stream.h"
 #include "tests/cli/expect_error.h"

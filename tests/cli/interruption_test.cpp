@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/run/interruption.h"
+#include "apps/output/interruption.h"
 
 #include <csignal>
 

@@ -4,15 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "apps/commands/calibrate.h"
-#include "apps/commands/config.h"
-#include "apps/commands/eval.h"
-#include "apps/commands/export.h"
-#include "apps/commands/features.h"
-#include "apps/commands/learn.h"
-#include "apps/commands/match.h"
-#include "apps/commands/run.h"
-#include "apps/commands/synth.h"
+#include "apps/commands/commands.h"
 #include "tests/fuzz/targets.h"
 
 namespace corvo::fuzz {
@@ -38,15 +30,7 @@ void FuzzCommandLine(Bytes bytes) {
   int exit_code = 0;
   CLI::App app("", "corvo");
   app.require_subcommand(0, 1);
-  AddRunCommand(app, exit_code);
-  AddCalibrateCommand(app, exit_code);
-  AddEvalCommand(app);
-  AddExportCommand(app);
-  AddSynthCommand(app, exit_code);
-  AddFeaturesCommand(app);
-  AddMatchCommand(app);
-  AddLearnCommand(app);
-  AddConfigCommand(app);
+  AddCommands(app, exit_code);
   // It is called once everything has been parsed and checked, before the command is executed.
   app.parse_complete_callback([] { throw CLI::Success(); });
   AllowError([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/dataset/decoder_messages.h"
+#include "apps/output/decoder_messages.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/run/interruption.h"
+#include "apps/output/interruption.h"
 
 #include <sys/time.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include <ctime>
 #include <string_view>
 
-#include "apps/dataset/decoder_messages.h"
+#include "apps/output/decoder_messages.h"
 
 namespace corvo {
 namespace {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace corvo {
+
+/// Adds all subcommands of `corvo`, in the order of its help. Those that can end early set
+/// `exit_code`, which must outlive the app.
+void AddCommands(CLI::App& app, int& exit_code);
+
+}  // namespace corvo
