@@ -71,15 +71,14 @@ bool TellsOfDamage(const std::string& complaint) {
          complaint.starts_with("Premature end of JPEG") || complaint.starts_with("libpng error");
 }
 
-cv::Mat Decode(const std::string& bytes, std::string& complaint) {
+cv::Mat Decode(const std::string& bytes, int flags, std::string& complaint) {
   if (bytes.empty() || IsTruncatedJpeg(bytes) || IsTruncatedPng(bytes)) return {};
   DecoderMessages messages;
   cv::Mat image;
   try {
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
-    image = cv::imdecode(
-        buffer, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
+    image = cv::imdecode(buffer, flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     image.release();
   }
@@ -97,6 +96,22 @@ cv::Mat KeepUpperByte(const cv::Mat& image) {
     }
   }
   return upper;
+}
+
+/// Reads an image with the flags of cv::imread(); the orientation of EXIF is ignored.
+cv::Mat ReadImage(const fs::path& file, int flags) {
+  const std::string bytes = ReadFileBytes(file, kMaxImageBytes);
+  const ImageHeader header = ParseImageHeader(bytes).value_or(ImageHeader());
+  CheckHeader(header, file);
+  std::string complaint;
+  const cv::Mat image = Decode(bytes, flags, complaint);
+  if (image.empty()) {
+    throw Error(fmt::format("{}: not a readable image{}", file.string(),
+                            complaint.empty() ? "" : " (" + complaint + ")"));
+  }
+  WarnOfOrientation(header, file);
+  if (!complaint.empty()) WarnOnce(complaint, file, "the decoder says: " + complaint);
+  return image;
 }
 
 }  // namespace
@@ -117,18 +132,9 @@ cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
 }
 
 cv::Mat ReadGrayImage(const fs::path& file) {
-  const std::string bytes = ReadFileBytes(file, kMaxImageBytes);
-  const ImageHeader header = ParseImageHeader(bytes).value_or(ImageHeader());
-  CheckHeader(header, file);
-  std::string complaint;
-  const cv::Mat image = Decode(bytes, complaint);
-  if (image.empty()) {
-    throw Error(fmt::format("{}: not a readable image{}", file.string(),
-                            complaint.empty() ? "" : " (" + complaint + ")"));
-  }
-  WarnOfOrientation(header, file);
-  if (!complaint.empty()) WarnOnce(complaint, file, "the decoder says: " + complaint);
-  return ToGray(image, file.string());
+  return ToGray(ReadImage(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH), file.string());
 }
+
+cv::Mat ReadColorImage(const fs::path& file) { return ReadImage(file, cv::IMREAD_COLOR); }
 
 }  // namespace corvo

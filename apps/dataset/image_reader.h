@@ -75,6 +75,9 @@ std::unique_ptr<ImageReader> OpenCamera(int device);
 /// more than kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
 cv::Mat ReadGrayImage(const std::filesystem::path& file);
 
+/// Reads an image as 8-bit BGR. Throws corvo::Error like ReadGrayImage().
+cv::Mat ReadColorImage(const std::filesystem::path& file);
+
 /// Converts a decoded image like ReadGrayImage(). It must have 8 or 16 bits and one, three (BGR) or
 /// four (BGRA) channels; for any other image, throws a corvo::Error whose message starts with
 /// `name`.

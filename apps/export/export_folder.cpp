@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/export/export_folder.h"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
+#include "apps/output/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -36,32 +35,23 @@ ExportFolder::ExportFolder(const fs::path& folder, bool replaces)
   CheckFree(folder_, replaces);
   staging_ =
       folder_.parent_path() / fmt::format(".{}.corvo-unfinished", folder_.filename().string());
-  fs::remove_all(staging_);
+  RemoveTree(staging_);
   std::error_code error;
   fs::create_directories(staging_, error);
   if (error) throw Error(fmt::format("{}: {}", staging_.string(), error.message()));
 }
 
-ExportFolder::~ExportFolder() {
-  std::error_code ignored;
-  fs::remove_all(staging_, ignored);
-}
+ExportFolder::~ExportFolder() { RemoveTree(staging_); }
 
 void ExportFolder::Write(const fs::path& name, const std::string& bytes) const {
   const fs::path file = staging_ / name;
   fs::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out << bytes;
-  out.close();
-  if (!out) throw Error(fmt::format("{}: cannot be written", file.string()));
+  WriteFile(file, bytes);
 }
 
 void ExportFolder::Commit(const std::string& description) {
   Write(kMarker, description);
-  std::error_code error;
-  if (fs::exists(folder_ / kMarker)) fs::remove_all(folder_, error);
-  if (!error) fs::rename(staging_, folder_, error);
-  if (error) throw Error(fmt::format("{}: {}", folder_.string(), error.message()));
+  ReplaceFolder(staging_, folder_);
 }
 
 }  // namespace corvo

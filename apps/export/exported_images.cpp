@@ -4,24 +4,17 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "apps/dataset/image_reader.h"
+#include "apps/output/durable_file.h"
+#include "apps/output/image_file.h"
 #include "orb/error.h"
 
 namespace corvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kJpegQuality = 95;
-
-cv::Mat ReadColorImage(const fs::path& file) {
-  cv::Mat image = cv::imread(file.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  if (image.empty()) throw Error(fmt::format("{}: cannot be read", file.string()));
-  return image;
-}
 
 /// The conversion of input images to exported ones.
 class Exporter {
@@ -49,9 +42,7 @@ class Exporter {
     if (image.size() != size_) cv::resize(image, exported, size_, 0, 0, cv::INTER_AREA);
     if (undistortion_) exported = undistortion_->Apply(exported);
     const fs::path target = Prepare(name);
-    if (!cv::imwrite(target.string(), exported, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
-      throw Error(fmt::format("{}: cannot be written", target.string()));
-    }
+    WriteFile(target, EncodeImage(exported, target.extension().string()));
   }
 
  private:

@@ -7,15 +7,6 @@
 namespace corvo {
 namespace {
 
-std::array<std::uint8_t, 3> ColorAt(const cv::Mat& image, int x, int y) {
-  if (image.channels() == 1) {
-    const std::uint8_t gray = image.at<std::uint8_t>(y, x);
-    return {gray, gray, gray};
-  }
-  const auto& bgr = image.at<cv::Vec3b>(y, x);
-  return {bgr[2], bgr[1], bgr[0]};
-}
-
 /// Returns the pixel of a resized image that shows what `pixel` shows, along one axis.
 int Rescale(double pixel, int size, int new_size) {
   const double scaled = (pixel + 0.5) * new_size / size;
@@ -24,13 +15,24 @@ int Rescale(double pixel, int size, int new_size) {
 
 }  // namespace
 
+std::array<std::uint8_t, 3> ColorAt(const Eigen::Vector2d& pixel, const cv::Size& size,
+                                    const cv::Mat& image) {
+  const cv::Point at(Rescale(pixel.x(), size.width, image.cols),
+                     Rescale(pixel.y(), size.height, image.rows));
+  if (image.channels() == 1) {
+    const std::uint8_t gray = image.at<std::uint8_t>(at);
+    return {gray, gray, gray};
+  }
+  const auto& bgr = image.at<cv::Vec3b>(at);
+  return {bgr[2], bgr[1], bgr[0]};
+}
+
 void LandmarkColors::Add(const Frame& keyframe, const cv::Mat& image) {
+  const cv::Size size(keyframe.camera.width, keyframe.camera.height);
   for (int k = 0; k < keyframe.num_keypoints(); ++k) {
     const LandmarkId id = keyframe.landmarks[k];
     if (id == kNoId || colors_.count(id) > 0) continue;
-    const Eigen::Vector2d& pixel = keyframe.pixel(k);
-    colors_[id] = ColorAt(image, Rescale(pixel.x(), keyframe.camera.width, image.cols),
-                          Rescale(pixel.y(), keyframe.camera.height, image.rows));
+    colors_[id] = ColorAt(keyframe.pixel(k), size, image);
   }
 }
 

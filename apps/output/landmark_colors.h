@@ -11,6 +11,11 @@
 
 namespace corvo {
 
+/// Returns red, green and blue at a pixel of an image of size `size`, in `image`, which shows the
+/// same, 8-bit gray or BGR, and may be larger or smaller.
+std::array<std::uint8_t, 3> ColorAt(const Eigen::Vector2d& pixel, const cv::Size& size,
+                                    const cv::Mat& image);
+
 /// The colors of landmarks, each from the first keyframe that observes it.
 class LandmarkColors {
  public:
