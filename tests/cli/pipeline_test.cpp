@@ -218,7 +218,8 @@ TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
   const fs::path python = SourceDir() / ".venv" / "bin" / "python";
   const std::vector<std::string> environment = {"HOME=" + folder_->path().string(),
                                                 "PATH=/usr/bin:/bin"};
-  if (RunProgram(python, {"-c", "import pycolmap"}, environment).exit_code != 0) {
+  if (!fs::exists(python) ||
+      RunProgram(python, {"-c", "import pycolmap"}, environment).exit_code != 0) {
     GTEST_SKIP() << "pycolmap is missing: scripts/install_dependencies.sh --development";
   }
   for (const std::string format : {"--text", "--force"}) {
