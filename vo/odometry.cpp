@@ -185,6 +185,7 @@ void Odometry::Restart(Reason reason) {
   FinishMapping();
   history_->DiscardPoses(reason);
   Odometry restarted(camera_prior(), options_, threads_);
+  restarted.map_ = Map(restarted.map_.model(), map_.num_landmark_ids());
   restarted.history_ = std::move(history_);
   restarted.image_motion_ = std::move(image_motion_);
   restarted.recorder_ = recorder_.WithSameCallbacks();

@@ -39,10 +39,11 @@ FrameObservations FinalObservations(const FrameObservations& seen, const FrameRe
 std::vector<MapPoint> CollectPoints(const LandmarkSpool& marginalized, const Map& map) {
   std::vector<MapPoint> points;
   marginalized.ForEach([&](const MarginalizedLandmark& landmark) {
+    if (landmark.id < map.first_landmark_id()) return;  // Of a map that was discarded.
     const PointInSegment point{landmark.segment, landmark.in_world};
     points.push_back(MakePoint(landmark.id, ApplyJoins(map.joins(), landmark.num_joins, point)));
   });
-  for (LandmarkId id = 0; id < map.num_landmark_ids(); ++id) {
+  for (LandmarkId id = map.first_landmark_id(); id < map.num_landmark_ids(); ++id) {
     const Landmark* landmark = map.FindLandmark(id);
     if (landmark == nullptr) continue;
     points.push_back(MakePoint(id, {landmark->segment, landmark->in_world}));

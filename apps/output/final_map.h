@@ -13,7 +13,8 @@
 namespace corvo {
 
 /// Returns the landmarks of a finished run: those that were marginalized, in the order of that,
-/// then those of the map in the order of their ids.
+/// then those of the map in the order of their ids. Landmarks of a map that the odometry discarded
+/// are left out.
 std::vector<MapPoint> CollectPoints(const LandmarkSpool& marginalized, const Map& map);
 
 /// Returns the landmarks of a refined run.

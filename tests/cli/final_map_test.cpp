@@ -69,5 +69,14 @@ TEST(FinalMap, PointsOfAJoinedSegmentMoveWithIt) {
   EXPECT_EQ(points[1].in_world, Eigen::Vector3d(1, 2, 3));
 }
 
+TEST(FinalMap, LandmarksOfADiscardedMapAreLeftOut) {
+  LandmarkSpool spool;
+  spool.Add({4, 0, {1, 2, 3}, 0});
+  spool.Add({5, 0, {4, 5, 6}, 0});
+  const std::vector<MapPoint> points = CollectPoints(spool, Map(test::MakeModel(), 5));
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].id, 5);
+}
+
 }  // namespace
 }  // namespace corvo

@@ -186,15 +186,19 @@ TEST(OdometryTest, RepeatedFramesHaveThePoseOfTheirOriginalAndDisturbNothing) {
   }
 }
 
-TEST(OdometryTest, TextureThatMovesWithTheCameraIsMaskedAndDoesNotHoldTheCamera) {
-  const std::vector<cv::Mat> drive = MakeDrive(40, 1);
+/// Returns the images of a drive with texture that moves with the camera from row `first_row` on.
+std::vector<cv::Mat> MakeCoveredDrive(int first_row) {
   const cv::Mat texture = test::MakeTexture(640, 480, 77);
   std::vector<cv::Mat> covered;
-  for (const cv::Mat& image : drive) {
+  for (const cv::Mat& image : MakeDrive(40, 1)) {
     covered.push_back(image.clone());
-    texture.rowRange(330, 480).copyTo(covered.back().rowRange(330, 480));
+    texture.rowRange(first_row, 480).copyTo(covered.back().rowRange(first_row, 480));
   }
-  const Trajectory trajectory = RunDrive(covered, 1);
+  return covered;
+}
+
+TEST(OdometryTest, TextureThatMovesWithTheCameraIsMaskedAndDoesNotHoldTheCamera) {
+  const Trajectory trajectory = RunDrive(MakeCoveredDrive(330), 1);
   // The first map, which depended on the texture, was discarded with its poses.
   EXPECT_GE(trajectory.PosedShare(), 0.7);
   EXPECT_EQ(trajectory.frames.front().reason, Reason::kStaticOverlay);
@@ -210,13 +214,28 @@ TEST(OdometryTest, TextureThatMovesWithTheCameraIsMaskedAndDoesNotHoldTheCamera)
   }
 }
 
+TEST(OdometryTest, LandmarksOfADiscardedMapShareNoIdsWithThoseOfTheNext) {
+  Odometry odometry(test::PinholeCamera());
+  LandmarkId end_of_discarded = 0;
+  TimeNs time_ns = 0;
+  for (const cv::Mat& image : MakeCoveredDrive(330)) {
+    const bool had_map = !odometry.map().empty();
+    const int num_ids = odometry.map().num_landmark_ids();
+    odometry.Process(image, time_ns += kFrameTime);
+    if (had_map && odometry.map().empty()) end_of_discarded = num_ids;
+  }
+  ASSERT_GT(end_of_discarded, 0) << "a map was discarded";
+  ASSERT_FALSE(odometry.map().empty());
+  EXPECT_GE(odometry.map().first_landmark_id(), end_of_discarded);
+  for (LandmarkId id = 0; id < end_of_discarded; ++id) {
+    EXPECT_EQ(odometry.map().FindLandmark(id), nullptr);
+  }
+}
+
 TEST(OdometryTest, AnOverlayOverMostOfTheImageIsTheReason) {
-  const cv::Mat texture = test::MakeTexture(640, 480, 77);
-  std::vector<cv::Mat> covered;
-  for (const cv::Mat& image : MakeDrive(40, 1)) {
-    covered.push_back(image.clone());
-    texture.rowRange(220, 480).copyTo(covered.back().rowRange(220, 480));
-    if (covered.size() > 25) covered.back().rowRange(0, 220) = cv::Scalar(90);
+  std::vector<cv::Mat> covered = MakeCoveredDrive(220);
+  for (std::size_t i = 25; i < covered.size(); ++i) {
+    covered[i].rowRange(0, 220) = cv::Scalar(90);
   }
   const FrameResult last = RunDrive(covered, 1).frames.back();
   EXPECT_FALSE(last.world_from_camera);

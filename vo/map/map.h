@@ -90,7 +90,12 @@ std::vector<KeyframeId> FirstKeyframes(const std::vector<Covisible>& covisible, 
 /// All images are measured by one model, whose camera may be re-estimated.
 class Map {
  public:
-  explicit Map(MeasurementModel model) : model_(std::move(model)) {}
+  /// The first landmark gets the id `first_landmark`: a map that replaces another one continues its
+  /// ids, so that an id never denotes two landmarks of one sequence.
+  explicit Map(MeasurementModel model, LandmarkId first_landmark = 0)
+      : model_(std::move(model)),
+        first_landmark_id_(first_landmark),
+        num_landmark_ids_(first_landmark) {}
 
   const MeasurementModel& model() const { return model_; }
   const Camera& camera() const { return model_.camera; }
@@ -103,6 +108,9 @@ class Map {
   int num_keyframes() const { return static_cast<int>(keyframe_poses_.size()); }
   /// Returns the number of landmarks that exist.
   int num_landmarks() const { return static_cast<int>(landmarks_.size()); }
+  /// Returns the id of the first landmark ever added.
+  LandmarkId first_landmark_id() const { return first_landmark_id_; }
+  /// Returns the id of the next landmark, which is greater than all others.
   int num_landmark_ids() const { return num_landmark_ids_; }
   /// Returns the joins of segments, in order of time.
   const std::vector<SegmentJoin>& joins() const { return joins_; }
@@ -215,6 +223,7 @@ class Map {
   std::deque<Merge> merges_;                 // Entries of merged_into_, in order of time.
   std::deque<KeyframePose> keyframe_poses_;  // Indexed by KeyframeId.
   std::vector<SegmentJoin> joins_;
+  LandmarkId first_landmark_id_ = 0;
   int num_landmark_ids_ = 0;
 };
 
