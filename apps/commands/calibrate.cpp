@@ -58,16 +58,16 @@ struct CalibrateArguments {
 
 /// Returns an opener for each input. All images of an input must have the size of its first image.
 std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
-  constexpr double kDefaultFrameRateHz = 30;
+  InputOptions options;
+  options.frame_rate_hz = arguments.frame_rate_hz;
   std::vector<StreamOpener> openers;
   for (const fs::path& input : arguments.inputs) {
     if (IsLiveInput(input.string())) {
       throw Error(fmt::format("{}: is a live camera, which cannot be read twice; give a recording",
                               input.string()));
     }
-    openers.push_back(ToStreamOpener([input, &arguments] {
-      ImageSource source = OpenImages(input.string(), arguments.frame_rate_hz, kDefaultFrameRateHz,
-                                      arguments.selection);
+    openers.push_back(ToStreamOpener([input, options, &arguments] {
+      ImageSource source = OpenImages(input.string(), options, arguments.selection);
       const cv::Size size = source.First().image.size();
       source.Prepare({size, size, MaskSource()});
       return source;

@@ -60,7 +60,7 @@ std::vector<fs::path> ListTrainingImages(const std::vector<fs::path>& paths) {
       images.push_back(path);
       continue;
     }
-    for (const TimedFile& file : ListImages(path, 1).images) images.push_back(file.file);
+    for (const TimedFile& file : ListImages(path).images) images.push_back(file.file);
   }
   std::sort(images.begin(), images.end());
   return images;

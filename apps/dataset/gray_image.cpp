@@ -87,17 +87,6 @@ cv::Mat Decode(const std::string& bytes, int flags, std::string& complaint) {
   return image;
 }
 
-/// Converts 16-bit to 8-bit gray by keeping the upper eight bits.
-cv::Mat KeepUpperByte(const cv::Mat& image) {
-  cv::Mat upper(image.size(), CV_8UC1);
-  for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) {
-      upper.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(image.at<std::uint16_t>(y, x) >> 8);
-    }
-  }
-  return upper;
-}
-
 /// Reads an image with the flags of cv::imread(); the orientation of EXIF is ignored.
 cv::Mat ReadImage(const fs::path& file, int flags) {
   const std::string bytes = ReadFileBytes(file, kMaxImageBytes);
@@ -114,9 +103,8 @@ cv::Mat ReadImage(const fs::path& file, int flags) {
   return image;
 }
 
-}  // namespace
-
-cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
+/// Converts color to gray of the same depth.
+cv::Mat WithoutColor(const cv::Mat& image, const std::string& name) {
   const int channels = image.channels();
   if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U) ||
       (channels != 1 && channels != 3 && channels != 4)) {
@@ -128,11 +116,21 @@ cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
   if (channels > 1) {
     cv::cvtColor(image, gray, channels == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
   }
-  return gray.depth() == CV_16U ? KeepUpperByte(gray) : gray;
+  return gray;
 }
 
-cv::Mat ReadGrayImage(const fs::path& file) {
-  return ToGray(ReadImage(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH), file.string());
+}  // namespace
+
+cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
+  return GrayLevels().ToByte(WithoutColor(image, name));
+}
+
+cv::Mat ReadStoredGray(const fs::path& file) {
+  return WithoutColor(ReadImage(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH), file.string());
+}
+
+cv::Mat ReadGrayImage(const fs::path& file, const GrayLevels& levels) {
+  return levels.ToByte(ReadStoredGray(file));
 }
 
 cv::Mat ReadColorImage(const fs::path& file) { return ReadImage(file, cv::IMREAD_COLOR); }

@@ -8,8 +8,10 @@
 
 #include "apps/dataset/body_from_camera.h"
 #include "apps/dataset/image_layouts.h"
+#include "apps/dataset/kitti_raw_truth.h"
 #include "apps/dataset/pose_file.h"
 #include "orb/error.h"
+#include "vo/io/pose_rows.h"
 #include "vo/io/text_lines.h"
 #include "vo/io/trajectory_io.h"
 
@@ -24,6 +26,14 @@ constexpr const char* kMonoTruth = "groundtruthSync.txt";
 fs::path KittiTruth(const fs::path& input) {
   if (input.parent_path().filename() != "sequences") return {};
   return input.parent_path().parent_path() / "poses" / (input.filename().string() + ".txt");
+}
+
+/// Returns oxts of the drive if the folder is a drive of KITTI's raw data, or the folder of a camera
+/// or of images in one.
+fs::path KittiRawTruth(fs::path folder) {
+  if (folder.filename() == "data") folder = folder.parent_path();
+  if (folder.filename().string().starts_with("image_")) folder = folder.parent_path();
+  return folder / kKittiRawTruth;
 }
 
 /// Returns the normalized path without a trailing separator, made absolute if it has no parent.
@@ -41,6 +51,21 @@ PoseSequence MoveToCamera(PoseSequence poses, const fs::path& file) {
     pose.world_from_camera = pose.world_from_camera * body_from_camera;
   }
   return poses;
+}
+
+/// Reads "tx ty tz qx qy qz qw" per line: the camera's poses, whose axes are x forward, y right, z
+/// down (Wang et al., TartanAir, IROS 2020).
+PoseFile ReadTartanAirTruth(const fs::path& file) {
+  std::vector<TextLine> lines = ReadTableLines(file);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i].text = fmt::format("{} {}", i, lines[i].text);  // As in TUM format.
+  }
+  const SO3 forward_from_camera(Eigen::Matrix3d{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  std::vector<SE3> poses;
+  for (const TimedPose& pose : ParseTumRows(lines, file)) {
+    poses.push_back(pose.world_from_camera * SE3(forward_from_camera, Eigen::Vector3d::Zero()));
+  }
+  return PoseFile(poses);
 }
 
 /// Returns the `.pose.txt` files of a folder in natural order.
@@ -93,17 +118,21 @@ fs::path FindGroundTruth(const fs::path& input) {
   if (!fs::is_directory(input)) return {};
   const fs::path folder = PlainFolder(input);
   const fs::path root = folder.filename() == "mav0" ? folder.parent_path() : folder;
+  const fs::path measured = KittiRawTruth(folder);
+  if (IsKittiRawTruth(measured)) return measured;
   for (const fs::path& file :
        {KittiTruth(folder), root / "mav0/state_groundtruth_estimate0/data.csv",
         root / "mav0/mocap0/data.csv", root / "dso/gt_imu.csv", folder / "groundtruth.txt",
-        folder / kMonoTruth}) {
+        folder / kMonoTruth, folder / kTartanAirPoses}) {
     if (fs::is_regular_file(file)) return file;
   }
   return PoseFilesIn(folder).empty() ? fs::path() : folder;
 }
 
 PoseFile ReadTruthFile(const fs::path& file) {
+  if (IsKittiRawTruth(file)) return PoseFile(ReadKittiRawTruth(file));
   if (fs::is_directory(file)) return PoseFile(ReadPoseMatrices(file));
+  if (file.filename() == kTartanAirPoses) return ReadTartanAirTruth(file);
   if (file.filename() == kMonoTruth) return PoseFile(ReadTumWithGaps(file));
   PoseFile poses = ReadPoseFile(file);
   return poses.is_euroc() ? PoseFile(MoveToCamera(poses.poses(), file)) : poses;

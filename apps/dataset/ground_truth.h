@@ -12,8 +12,9 @@ namespace corvo {
 /// Returns the path of a sequence's ground truth in the layout of its dataset, or an empty path if
 /// there is none: KITTI `poses/XX.txt` beside `sequences/XX`; EuRoC
 /// `state_groundtruth_estimate0/data.csv` and TUM-VI `mocap0/data.csv` in `mav0`, TUM-VI
-/// `dso/gt_imu.csv`; TUM RGB-D `groundtruth.txt`; TUM-mono `groundtruthSync.txt`; 7-Scenes the
-/// folder itself, which has a `.pose.txt` for each frame.
+/// `dso/gt_imu.csv`; KITTI raw the folder `oxts`; TartanAir `pose_left.txt`; TUM RGB-D
+/// `groundtruth.txt`; TUM-mono `groundtruthSync.txt`; 7-Scenes the folder itself, which has a
+/// `.pose.txt` for each frame.
 std::filesystem::path FindGroundTruth(const std::filesystem::path& input);
 
 /// Reads the ground truth poses of the camera from a file in TUM, KITTI or EuRoC format, or from

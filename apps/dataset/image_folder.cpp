@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <regex>
 
 #include <glob.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include "apps/dataset/image_layouts.h"
+#include "apps/dataset/image_times.h"
+#include "apps/dataset/layout_hints.h"
 #include "apps/output/manifest.h"
 #include "orb/error.h"
 
@@ -17,102 +23,90 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// Removes the leading run of digits from `text`, or else its first character, and returns it
-/// without leading zeros.
-std::string_view TakeToken(std::string_view& text) {
-  std::size_t size = 1;
-  if (IsDigit(text.front())) {
-    while (size < text.size() && IsDigit(text[size])) ++size;
-  }
-  std::string_view token = text.substr(0, size);
-  text.remove_prefix(size);
-  while (token.size() > 1 && token.front() == '0') token.remove_prefix(1);
-  return token;
+/// Appends images with the times in their names, or else index / frame rate.
+void AddTimes(const std::vector<fs::path>& files, const InputOptions& options, ImageList& list) {
+  const auto times = options.frame_rate_hz ? std::nullopt : TimesInNames(files);
+  if (!times) return AddIndexTimes(files, options, list);
+  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], (*times)[i]});
 }
 
-/// Returns whether the file is a depth image of 7-Scenes, which has one beside each color image.
-bool IsDepthImage(const fs::path& file) { return file.stem().extension() == ".depth"; }
-
-/// The files that corvo wrote: a manifest beside them lists them with their size.
-class WrittenFiles {
- public:
-  bool Contain(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const auto [listed, is_new] = listed_.try_emplace(folder);
-    if (is_new) listed->second = ListResults(folder);
-    return std::ranges::any_of(listed->second, [&](const ManifestFile& result) {
-      std::error_code error;
-      return result.name == file.filename().string() &&
-             result.num_bytes == fs::file_size(file, error) && !error;
-    });
-  }
-
- private:
-  std::map<fs::path, std::vector<ManifestFile>> listed_;
-};
-
-/// Removes files that corvo wrote: output never becomes input.
-void RemoveOutput(std::vector<fs::path>& files) {
-  WrittenFiles written;
-  std::erase_if(files, [&](const fs::path& file) { return written.Contain(file); });
-}
-
-void AddTimes(const std::vector<fs::path>& files, double frame_rate_hz, ImageList& list) {
+/// Warns if the names without their digits have several forms of equally many images, such as left_
+/// and right_.
+void WarnOfSeveralCameras(const fs::path& folder, const std::vector<fs::path>& files) {
+  std::map<std::string, int> forms;
   for (const fs::path& file : files) {
-    const double time_s = static_cast<double>(list.images.size()) / frame_rate_hz;
-    list.images.push_back({file, std::llround(1e9 * time_s)});
+    std::string form = file.stem().string();
+    std::erase_if(form, [](unsigned char c) { return std::isdigit(c) != 0; });
+    ++forms[form];
   }
+  const bool are_even = std::ranges::all_of(
+      forms, [&](const auto& form) { return form.second == forms.begin()->second; });
+  if (forms.size() < 2 || forms.begin()->second < 2 || !are_even) return;
+  std::string names;
+  for (const auto& [form, count] : forms) names += fmt::format(" '{}'", form);
+  spdlog::warn(
+      "{}: the names of the images have {} forms ({} images each):{}; if these are several "
+      "cameras, give a pattern for the names of one",
+      folder.string(), forms.size(), forms.begin()->second, names);
+}
+
+/// Returns a pattern for glob() in which the wildcards of existing folders are escaped.
+std::string WithPlainFolders(const fs::path& pattern) {
+  fs::path literal, escaped;
+  for (const fs::path& part : pattern) {
+    std::string text = part.string();
+    if (fs::exists(literal /= part)) {
+      text = std::regex_replace(text, std::regex(R"([*?\[\\])"), R"(\$&)");
+    }
+    escaped /= text;
+  }
+  return escaped.string();
+}
+
+/// Returns the subfolders that contain images, in natural order.
+std::vector<fs::path> SubfoldersWithImages(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory() && !ImageFilesIn(entry.path()).empty()) found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) {
+    return NaturalLess(a.filename().string(), b.filename().string());
+  });
+  return found;
+}
+
+[[noreturn]] void ThrowNoImages(const fs::path& input, const std::vector<fs::path>& subfolders) {
+  std::string hint = LayoutHints(input);
+  if (!subfolders.empty()) {
+    std::vector<std::string> names;
+    for (const fs::path& folder : subfolders) names.push_back(folder.string());
+    hint += fmt::format("; give one of its folders that do: {}", fmt::join(names, " "));
+  }
+  throw Error(
+      fmt::format("{}: contains no images ({}) and is not a KITTI, KITTI raw, EuRoC, TUM, "
+                  "TUM-mono or TartanAir sequence{}",
+                  input.string(), fmt::join(kImageExtensions, ", "), hint));
 }
 
 }  // namespace
 
-bool HasImageExtension(const fs::path& file) {
-  constexpr std::array<std::string_view, 7> kExtensions = {".png", ".jpg", ".jpeg", ".bmp",
-                                                           ".pgm", ".tif", ".tiff"};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
-bool NaturalLess(std::string_view a, std::string_view b) {
-  const std::string_view whole_a = a;
-  const std::string_view whole_b = b;
-  while (!a.empty() && !b.empty()) {
-    const std::string_view token_a = TakeToken(a);
-    const std::string_view token_b = TakeToken(b);
-    const bool numbers = IsDigit(token_a.front()) && IsDigit(token_b.front());
-    if (numbers && token_a.size() != token_b.size()) return token_a.size() < token_b.size();
-    if (token_a != token_b) return token_a < token_b;
+void AddIndexTimes(const std::vector<fs::path>& files, const InputOptions& options,
+                   ImageList& list) {
+  const double rate_hz = options.frame_rate_hz.value_or(options.default_frame_rate_hz);
+  for (const fs::path& file : files) {
+    const double time_s = static_cast<double>(list.images.size()) / rate_hz;
+    list.images.push_back({file, std::llround(1e9 * time_s)});
   }
-  if (a.empty() != b.empty()) return a.empty();
-  return whole_a < whole_b;
-}
-
-std::vector<fs::path> ImageFilesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const fs::path& file = entry.path();
-    const bool hidden = file.filename().string().front() == '.';
-    if (!hidden && HasImageExtension(file) && !IsDepthImage(file)) files.push_back(file);
-  }
-  RemoveOutput(files);
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return NaturalLess(a.filename().string(), b.filename().string());
-  });
-  return files;
 }
 
 bool IsPattern(const fs::path& input) {
   return input.string().find_first_of("*?[") != std::string::npos;
 }
 
-ImageList ListMatchingImages(const fs::path& pattern, double frame_rate_hz) {
+ImageList ListMatchingImages(const fs::path& pattern, const InputOptions& options) {
   std::vector<fs::path> files;
   glob_t found{};
-  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
+  if (glob(WithPlainFolders(pattern).c_str(), 0, nullptr, &found) == 0) {
     for (std::size_t i = 0; i < found.gl_pathc; ++i) {
       if (HasImageExtension(found.gl_pathv[i])) files.emplace_back(found.gl_pathv[i]);
     }
@@ -124,19 +118,21 @@ ImageList ListMatchingImages(const fs::path& pattern, double frame_rate_hz) {
     return NaturalLess(a.string(), b.string());
   });
   ImageList list{"glob", {}, {}};
-  AddTimes(files, frame_rate_hz, list);
+  AddTimes(files, options, list);
   return list;
 }
 
-ImageList ListFolderImages(const fs::path& input, double frame_rate_hz) {
+ImageList ListFolderImages(const fs::path& input, const InputOptions& options) {
   ImageList list{"folder", {}, {}};
-  AddTimes(ImageFilesIn(input), frame_rate_hz, list);
-  if (list.images.empty()) {
-    throw Error(
-        fmt::format("{}: contains no images (png, jpg, jpeg, bmp, pgm, tif) and is not a "
-                    "KITTI, EuRoC, TUM or TUM-mono sequence",
-                    input.string()));
+  std::vector<fs::path> files = ImageFilesIn(input);
+  if (files.empty()) {
+    const std::vector<fs::path> subfolders = SubfoldersWithImages(input);
+    if (subfolders.size() != 1) ThrowNoImages(input, subfolders);
+    files = ImageFilesIn(subfolders.front());
+    spdlog::info("{}: has its images in {}", input.string(), subfolders.front().string());
   }
+  WarnOfSeveralCameras(files.front().parent_path(), files);
+  AddTimes(files, options, list);
   return list;
 }
 

@@ -9,15 +9,12 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "apps/dataset/gray_levels.h"
+#include "apps/dataset/image_list.h"
 #include "vo/core/conventions.h"
 #include "vo/core/frame_result.h"
 
 namespace corvo {
-
-struct TimedFile {
-  std::filesystem::path file;
-  TimeNs time_ns = 0;
-};
 
 struct TimedImage {
   cv::Mat image;  ///< 8-bit gray; empty if it is missing.
@@ -54,7 +51,10 @@ class ImageReader {
   virtual std::optional<VideoFrames> video_frames() const { return std::nullopt; }
 };
 
-std::unique_ptr<ImageReader> OpenFiles(std::vector<TimedFile> files);
+/// Opens image files. Of 16-bit images, `bits` (8 to 16) are used, of which the upper eight are
+/// kept; without it, the gray levels of images all over the sequence decide, see GrayHistogram.
+/// Throws corvo::Error if `bits` is out of range.
+std::unique_ptr<ImageReader> OpenFiles(std::vector<TimedFile> files, std::optional<int> bits);
 
 /// Opens a video. Its timestamps are those of the container, or index / `frame_rate_hz` if that is
 /// given. A timestamp that is not later than the previous one (a container without timestamps) is
@@ -68,19 +68,22 @@ std::unique_ptr<ImageReader> OpenVideo(const std::filesystem::path& file,
 /// such camera.
 std::unique_ptr<ImageReader> OpenCamera(int device);
 
-/// Reads an image as 8-bit gray. Color is converted to 0.299 R + 0.587 G + 0.114 B (the luma of
-/// JPEG); of 16 bits the upper eight are kept. The orientation of EXIF is
-/// ignored, with a warning for the first image that has one. Throws corvo::Error if the file is not
+/// Reads an image as 8- or 16-bit gray, as it is stored. Color is converted to 0.299 R + 0.587 G +
+/// 0.114 B (the luma of JPEG). The orientation of EXIF is ignored, with a warning for the first
+/// image that has one. Throws corvo::Error if the file is not
 /// a readable image, is a truncated or damaged JPEG or PNG, is larger than kMaxImageBytes, or has
 /// more than kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
-cv::Mat ReadGrayImage(const std::filesystem::path& file);
+cv::Mat ReadStoredGray(const std::filesystem::path& file);
+
+/// Like ReadStoredGray(), but as 8-bit gray.
+cv::Mat ReadGrayImage(const std::filesystem::path& file, const GrayLevels& levels = GrayLevels());
 
 /// Reads an image as 8-bit BGR. Throws corvo::Error like ReadGrayImage().
 cv::Mat ReadColorImage(const std::filesystem::path& file);
 
-/// Converts a decoded image like ReadGrayImage(). It must have 8 or 16 bits and one, three (BGR) or
-/// four (BGRA) channels; for any other image, throws a corvo::Error whose message starts with
-/// `name`.
+/// Converts a decoded image to 8-bit gray, of 16 bits the upper eight. It must have 8 or 16 bits
+/// and one, three (BGR) or four (BGRA) channels; for any other image, throws a corvo::Error whose
+/// message starts with `name`.
 cv::Mat ToGray(const cv::Mat& image, const std::string& name);
 
 }  // namespace corvo

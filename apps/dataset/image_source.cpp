@@ -15,35 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ImageList ListByLayout(const fs::path& input, double frame_rate_hz) {
-  if (IsKittiSequence(input)) return ListKittiImages(input);
-  if (IsEurocSequence(input)) return ListEurocImages(input);
-  if (IsTumSequence(input)) return ListTumImages(input);
-  if (IsTumMonoSequence(input)) return ListTumMonoImages(input);
-  return ListFolderImages(input, frame_rate_hz);
-}
-
-/// Checks the selected files only: a list may have a million others.
-void CheckFiles(const std::vector<TimedFile>& images, const Selection& selection) {
-  const auto size = static_cast<std::int64_t>(images.size());
-  int num_checked = 0;
-  for (std::int64_t i = selection.start; i < size; i += selection.every) {
-    if (selection.count && num_checked++ == *selection.count) return;
-    if (fs::is_regular_file(images[i].file)) continue;
-    throw Error(
-        fmt::format("{}: listed in the sequence but does not exist", images[i].file.string()));
-  }
-}
-
-void CheckTimesAscend(const std::vector<TimedFile>& images) {
-  for (std::size_t i = 1; i < images.size(); ++i) {
-    if (images[i].time_ns > images[i - 1].time_ns) continue;
-    throw Error(fmt::format("{}: its timestamp {} ns is not later than {} ns, that of {}",
-                            images[i].file.string(), images[i].time_ns, images[i - 1].time_ns,
-                            images[i - 1].file.filename().string()));
-  }
-}
-
 /// Returns the number in "7" or "camera:7", or std::nullopt for any other text.
 std::optional<int> ParseDevice(std::string_view input) {
   constexpr std::string_view kPrefix = "camera:";
@@ -81,23 +52,8 @@ cv::Mat ResizeMask(const cv::Mat& mask, const cv::Size& size) {
 
 }  // namespace
 
-ImageList ListImages(const fs::path& input, double frame_rate_hz, const Selection& selection) {
-  const bool exists = fs::exists(input);
-  if (!exists && !IsPattern(input)) throw Error(fmt::format("{}: no such folder", input.string()));
-  if (exists && !fs::is_directory(input)) {
-    throw Error(
-        fmt::format("{}: not a folder; give the folder of an image sequence", input.string()));
-  }
-  ImageList list =
-      exists ? ListByLayout(input, frame_rate_hz) : ListMatchingImages(input, frame_rate_hz);
-  if (list.images.empty()) throw Error(fmt::format("{}: contains no images", input.string()));
-  CheckFiles(list.images, selection);
-  CheckTimesAscend(list.images);
-  return list;
-}
-
-ImageSource::ImageSource(ImageList list, const Selection& selection)
-    : list_(std::move(list)), reader_(OpenFiles(list_.images)), selection_(selection) {}
+ImageSource::ImageSource(ImageList list, const Selection& selection, std::optional<int> bits)
+    : list_(std::move(list)), reader_(OpenFiles(list_.images, bits)), selection_(selection) {}
 
 ImageSource::ImageSource(ImageList list, std::unique_ptr<ImageReader> reader,
                          const Selection& selection)
@@ -200,19 +156,23 @@ std::optional<int> ImageSource::size() const {
 
 bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::exists(input); }
 
-ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
-                       double default_frame_rate_hz, const Selection& selection) {
-  if (fs::is_regular_file(input)) {
-    if (HasImageExtension(input)) {
-      throw Error(fmt::format("{}: is a single image; give its folder or a quoted pattern", input));
-    }
-    return {ImageList{"video", {}, {}}, OpenVideo(input, frame_rate_hz), selection};
+ImageSource OpenImages(const std::string& input, const InputOptions& options,
+                       const Selection& selection) {
+  const bool is_video = fs::is_regular_file(input);
+  if (is_video && HasImageExtension(input)) {
+    throw Error(fmt::format("{}: is a single image; give its folder or a quoted pattern", input));
   }
-  if (IsLiveInput(input)) {
-    return {ImageList{"camera", {}, {}}, OpenCamera(*ParseDevice(input)), selection};
+  if (!is_video && !IsLiveInput(input)) {
+    return ImageSource(ListImages(input, options), selection, options.bits);
   }
-  const double rate_hz = frame_rate_hz.value_or(default_frame_rate_hz);
-  return ImageSource(ListImages(input, rate_hz, selection), selection);
+  if (!options.times.empty()) {
+    throw Error(fmt::format("{}: times are for image files; {} has its own", options.times.string(),
+                            input));
+  }
+  if (is_video) {
+    return {ImageList{"video", {}, {}}, OpenVideo(input, options.frame_rate_hz), selection};
+  }
+  return {ImageList{"camera", {}, {}}, OpenCamera(*ParseDevice(input)), selection};
 }
 
 }  // namespace corvo

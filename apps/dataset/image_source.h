@@ -10,6 +10,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "apps/dataset/image_list.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/mask_source.h"
 #include "vo/camera/camera.h"
@@ -17,27 +18,12 @@
 
 namespace corvo {
 
-/// The images of a sequence, in the order in which they were taken, and their calibration.
-struct ImageList {
-  std::string
-      layout;  ///< "folder", "glob", "kitti", "euroc", "tum", "tum-mono", "video", "camera".
-  std::vector<TimedFile> images;           ///< In ascending time. Empty for a video or camera.
-  std::optional<CameraParameters> camera;  ///< The dataset's calibration, if any; valid.
-};
-
 /// A selection of the images of a sequence.
 struct Selection {
   int start = 0;             ///< Index of the first image.
   int every = 1;             ///< Stride: every n-th image is used.
   std::optional<int> count;  ///< Maximum number of images.
 };
-
-/// Recognizes the layout of a folder by its files, or interprets `input` as a file name pattern,
-/// and lists the images. Images without timestamps get index / frame_rate_hz. Throws corvo::Error
-/// with file, line and value if something is missing or malformed, or if a selected image is
-/// missing or there are no images.
-ImageList ListImages(const std::filesystem::path& input, double frame_rate_hz,
-                     const Selection& selection = {});
 
 /// The preparation of every image.
 struct Preparation {
@@ -50,7 +36,9 @@ struct Preparation {
 /// cannot be read or has another size is returned as missing.
 class ImageSource {
  public:
-  explicit ImageSource(ImageList list, const Selection& selection = {});
+  /// `bits` is the number of used bits of 16-bit images, found from the images if not given.
+  explicit ImageSource(ImageList list, const Selection& selection = {},
+                       std::optional<int> bits = std::nullopt);
   ImageSource(ImageList list, std::unique_ptr<ImageReader> reader, const Selection& selection);
 
   /// From now on, throws corvo::Error for an image that would be missing.
@@ -100,10 +88,10 @@ class ImageSource {
 /// Returns whether the input is a connected camera: "0" or "camera:0".
 bool IsLiveInput(const std::string& input);
 
-/// Opens a folder or pattern of images, a video, or a camera. `frame_rate_hz`, if given, determines
-/// the timestamps of images without timestamps and of videos; otherwise images without timestamps
-/// get `default_frame_rate_hz`.
-ImageSource OpenImages(const std::string& input, std::optional<double> frame_rate_hz,
-                       double default_frame_rate_hz, const Selection& selection);
+/// Opens a folder or pattern of images, a video, or a camera. The frame rate of `options`, if
+/// given, also replaces the timestamps of a video. Throws corvo::Error as ListImages() and for a
+/// file of times that is given for a video or camera.
+ImageSource OpenImages(const std::string& input, const InputOptions& options,
+                       const Selection& selection);
 
 }  // namespace corvo

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "apps/dataset/image_header.h"
 #include "apps/dataset/image_layouts.h"
 #include "orb/error.h"
 #include "vo/io/decimal_time.h"
+#include "vo/io/file_bytes.h"
 #include "vo/io/text_lines.h"
 
 namespace corvo {
@@ -23,8 +25,9 @@ struct RigCamera {
   const char* row;
 };
 
-/// The cameras in order of preference: left gray, left color.
-constexpr std::array<RigCamera, 2> kCameras = {{{"image_0", "P0:"}, {"image_2", "P2:"}}};
+/// The cameras in order of preference: left gray, left color, right gray, right color.
+constexpr std::array<RigCamera, 4> kCameras = {
+    {{"image_0", "P0:"}, {"image_2", "P2:"}, {"image_1", "P1:"}, {"image_3", "P3:"}}};
 
 const RigCamera* FindCamera(const fs::path& input) {
   for (const RigCamera& camera : kCameras) {
@@ -33,14 +36,17 @@ const RigCamera* FindCamera(const fs::path& input) {
   return nullptr;
 }
 
-std::vector<TimeNs> ReadTimes(const fs::path& file) {
-  std::vector<TimeNs> times;
-  const std::vector<TextLine> lines = ReadTableLines(file);
-  for (const TextLine& line : lines) {
-    const TimeUnit unit = GuessTimeUnit(lines[0].text);
-    times.push_back(ParseTime(line.text, unit, LinePrefix(file, line)));
+/// Appends images with the times in the lines of a file.
+void AddListedTimes(const std::vector<fs::path>& files, const fs::path& times, ImageList& list) {
+  const std::vector<TextLine> lines = ReadTableLines(times);
+  if (files.size() != lines.size()) {
+    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times.string(),
+                            lines.size(), files.size(), files.front().parent_path().string()));
   }
-  return times;
+  const TimeUnit unit = GuessTimeUnit(lines[0].text);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    list.images.push_back({files[i], ParseTime(lines[i].text, unit, LinePrefix(times, lines[i]))});
+  }
 }
 
 /// Parses the 3x4 projection matrix of a row, row-major: [fx 0 cx . ; 0 fy cy . ; 0 0 1 .].
@@ -72,9 +78,10 @@ CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::pat
     const std::vector<std::string> fields = SplitFields(line.text);
     if (fields.front() != row) continue;
     CameraParameters camera = ParseProjection(fields, LinePrefix(file, line));
-    const cv::Mat image = ReadGrayImage(first_image);
-    camera.width = image.cols;
-    camera.height = image.rows;
+    const auto image = ParseImageHeader(ReadFileBytes(first_image, kMaxImageBytes));
+    if (!image) throw Error(fmt::format("{}: not a readable image", first_image.string()));
+    camera.width = static_cast<int>(image->width);
+    camera.height = static_cast<int>(image->height);
     ValidateCamera(camera, LinePrefix(file, line));
     return camera;
   }
@@ -84,21 +91,21 @@ CameraParameters ReadCamera(const fs::path& file, const char* row, const fs::pat
 }  // namespace
 
 bool IsKittiSequence(const fs::path& input) {
-  return fs::exists(input / kTimes) && FindCamera(input) != nullptr;
+  return (fs::exists(input / kTimes) || fs::exists(input / kCalibration)) &&
+         FindCamera(input) != nullptr;
 }
 
-ImageList ListKittiImages(const fs::path& input) {
+ImageList ListKittiImages(const fs::path& input, const InputOptions& options) {
   const RigCamera& rig_camera = *FindCamera(input);
   const fs::path folder = input / rig_camera.folder;
   const std::vector<fs::path> files = ImageFilesIn(folder);
-  const std::vector<TimeNs> times = ReadTimes(input / kTimes);
   if (files.empty()) throw Error(fmt::format("{}: contains no images", folder.string()));
-  if (files.size() != times.size()) {
-    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", (input / kTimes).string(),
-                            times.size(), files.size(), folder.string()));
-  }
   ImageList list{"kitti", {}, {}};
-  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], times[i]});
+  if (fs::exists(input / kTimes)) {
+    AddListedTimes(files, input / kTimes, list);
+  } else {
+    AddIndexTimes(files, options, list);
+  }
   if (fs::exists(input / kCalibration)) {
     list.camera = ReadCamera(input / kCalibration, rig_camera.row, files.front());
   }

@@ -21,8 +21,6 @@
 namespace corvo {
 namespace {
 
-constexpr double kDefaultFrameRateHz = 30.0;
-
 /// Returns the camera given by --camera, if any: a camera file, or the camera.txt of a TUM-mono
 /// sequence.
 std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
@@ -31,8 +29,13 @@ std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
   return CameraFile{Camera(ReadTumMonoCamera(arguments.camera)), {}, "", {}};
 }
 
-double DefaultFrameRate(const std::optional<CameraFile>& file) {
-  return file && file->frame_rate_hz ? *file->frame_rate_hz : kDefaultFrameRateHz;
+InputOptions OptionsOf(const RunArguments& arguments, const std::optional<CameraFile>& camera) {
+  InputOptions options;
+  options.frame_rate_hz = arguments.frame_rate_hz;
+  if (camera && camera->frame_rate_hz) options.default_frame_rate_hz = *camera->frame_rate_hz;
+  options.times = arguments.times;
+  options.bits = arguments.bits;
+  return options;
 }
 
 [[noreturn]] void ThrowNoCamera(const RunArguments& arguments, const cv::Size& size) {
@@ -94,8 +97,8 @@ MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
 
 /// Returns the images of a run in their original size.
 ImageSource OpenPreparedImages(const RunArguments& arguments) {
-  ImageSource images = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
-                                  kDefaultFrameRateHz, arguments.selection);
+  ImageSource images =
+      OpenImages(arguments.input.string(), OptionsOf(arguments, {}), arguments.selection);
   if (arguments.strict) images.RequireAll();
   const TimedImage& first = images.First();
   const cv::Size size = first.image.size();
@@ -178,8 +181,8 @@ void AddSelectionOptions(CLI::App& command, Selection& selection) {
 void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("INPUT", arguments.input,
-                  "image folder, quoted file pattern, KITTI, EuRoC, TUM-VI, TUM RGB-D or TUM-mono "
-                  "sequence, video, or camera number")
+                  "image folder, quoted file pattern, KITTI, KITTI raw, EuRoC, TUM-VI, TUM RGB-D, "
+                  "TUM-mono or TartanAir sequence, video, or camera number")
       ->required();
   CLI::Option* const camera =
       command.add_option("--camera", arguments.camera,
@@ -187,8 +190,16 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   AddFocalOptions(command, camera, arguments);
   command
       .add_option("--fps", arguments.frame_rate_hz,
-                  "frame rate of images without timestamps, Hz; overrides a video's timestamps")
+                  "frame rate of images without timestamps, Hz; overrides a video's timestamps "
+                  "and those in file names")
       ->check(NumberRange(1e-3, 1e6));
+  command.add_option("--times", arguments.times,
+                     "file with the time of each image, one per line, alone or beside its name, in "
+                     "s, ms, us or ns; overrides all other timestamps");
+  command
+      .add_option("--bits", arguments.bits,
+                  "number of used bits of 16-bit images; overrides what their gray levels say")
+      ->check(CLI::Range(8, 16));
   command.add_flag("--strict", arguments.strict,
                    "make an image that cannot be read or has another size an error; otherwise its "
                    "frame has no pose and tracking goes on");
@@ -205,8 +216,8 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
   const OdometryOptions options = ReadRunOptions(arguments);
   const std::optional<CameraFile> named = ReadNamedCamera(arguments);
   CheckFocal(arguments);
-  ImageSource source = OpenImages(arguments.input.string(), arguments.frame_rate_hz,
-                                  DefaultFrameRate(named), arguments.selection);
+  ImageSource source =
+      OpenImages(arguments.input.string(), OptionsOf(arguments, named), arguments.selection);
   if (arguments.strict) source.RequireAll();
   const TimedImage& first = source.First();
   const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);

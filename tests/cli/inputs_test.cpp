@@ -33,10 +33,8 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double kFrameRate = 30.0;
-
 ImageSource Open(const fs::path& input, const Selection& selection = {}) {
-  return OpenImages(input.string(), std::nullopt, kFrameRate, selection);
+  return OpenImages(input.string(), {}, selection);
 }
 
 std::vector<TimedImage> ReadAll(ImageSource source) {
@@ -70,13 +68,13 @@ TEST(Glob, ListsMatchingImagesInNaturalOrder) {
     test::WriteImage(folder / name, TinyImage(0));
   }
   WriteText(folder / "left1.txt", "not an image");
-  const ImageList list = ListImages(folder / "left*", kFrameRate);
+  const ImageList list = ListImages(folder / "left*");
   EXPECT_EQ(list.layout, "glob");
   ASSERT_EQ(list.images.size(), 2u);
   EXPECT_EQ(list.images[0].file.filename(), "left9.png");
   EXPECT_EQ(list.images[1].file.filename(), "left10.png");
   EXPECT_EQ(list.images[1].time_ns, 33333333);
-  EXPECT_THAT(ErrorOf([&] { ListImages(folder / "up*.png", kFrameRate); }),
+  EXPECT_THAT(ErrorOf([&] { ListImages(folder / "up*.png"); }),
               HasSubstr("up*.png: matches no image"));
 }
 
@@ -84,7 +82,7 @@ TEST(Glob, MatchesAcrossSeveralFolders) {
   TempFolder folder;
   test::WriteImage(folder / "b/1.png", TinyImage(0));
   test::WriteImage(folder / "a/2.png", TinyImage(0));
-  const ImageList list = ListImages(folder / "*/?.png", kFrameRate);
+  const ImageList list = ListImages(folder / "*/?.png");
   ASSERT_EQ(list.images.size(), 2u);
   EXPECT_EQ(list.images[0].file, folder / "a/2.png");
 }
@@ -106,8 +104,10 @@ TEST(Video, TimestampsComeFromTheVideo) {
 TEST(Video, GivenFrameRateOverridesTheTimestamps) {
   TempFolder folder;
   WriteVideo(folder / "drive.avi", 3);
+  InputOptions options;
+  options.frame_rate_hz = 100.0;
   const std::vector<TimedImage> images =
-      ReadAll(OpenImages((folder / "drive.avi").string(), 100.0, kFrameRate, {}));
+      ReadAll(OpenImages((folder / "drive.avi").string(), options, {}));
   ASSERT_EQ(images.size(), 3u);
   EXPECT_EQ(images[2].time_ns, 20000000);
 }
@@ -143,7 +143,7 @@ TEST(SelectedImages, KeepTheirTimestampsAndIndices) {
   EXPECT_EQ(source.size(), 2);
   const std::vector<TimedImage> images = ReadAll(std::move(source));
   EXPECT_THAT(Indices(images), ElementsAre(2, 5));
-  EXPECT_EQ(images[1].time_ns, std::llround(5e9 / kFrameRate));
+  EXPECT_EQ(images[1].time_ns, std::llround(5e9 / InputOptions().default_frame_rate_hz));
   EXPECT_EQ(Difference(images[1].image, TinyImage(5)), 0);
 }
 
@@ -235,7 +235,7 @@ void WriteTumMono(const fs::path& folder, int count) {
 TEST(TumMonoSequence, ReadsTimesAndCamera) {
   TempFolder folder;
   WriteTumMono(folder.path(), 3);
-  const ImageList list = ListImages(folder.path(), kFrameRate);
+  const ImageList list = ListImages(folder.path());
   EXPECT_EQ(list.layout, "tum-mono");
   ASSERT_EQ(list.images.size(), 3u);
   EXPECT_EQ(list.images[2].time_ns, 1436023524200000000);
@@ -254,7 +254,7 @@ TEST(TumMonoSequence, ReadsTimesAndCamera) {
 
 TEST(TumMonoSequence, ErrorsNameTheMalformedFile) {
   TempFolder folder;
-  const auto error = [&] { return ErrorOf([&] { ListImages(folder.path(), kFrameRate); }); };
+  const auto error = [&] { return ErrorOf([&] { ListImages(folder.path()); }); };
   WriteText(folder / "images.zip", "zip");
   WriteText(folder / "times.txt", "00000 1.5 0.01\n");
   EXPECT_THAT(error(), HasSubstr("images.zip: unpack it"));
@@ -280,7 +280,7 @@ TEST(EurocSequence, EquidistantDistortionIsKb4) {
   std::string sensor = test::EurocSensor();
   sensor.replace(sensor.find("radial-tangential"), 17, "equidistant");
   WriteText(folder / "dataset-room1_512_16/mav0/cam0/sensor.yaml", sensor);
-  const ImageList list = ListImages(folder / "dataset-room1_512_16", kFrameRate);
+  const ImageList list = ListImages(folder / "dataset-room1_512_16");
   ASSERT_TRUE(list.camera);
   EXPECT_EQ(list.camera->model, CameraModel::kKb4);
   EXPECT_EQ(list.camera->k1, -0.28);
@@ -294,21 +294,20 @@ TEST(EurocSequence, TumViCalibrationIsReadFromBesideMav0) {
   const fs::path room = folder / "dataset-room1_512_16";
   test::WriteEuroc(room / "mav0", 1);
   fs::remove(room / "mav0/cam0/sensor.yaml");
-  EXPECT_FALSE(ListImages(room, kFrameRate).camera);
+  EXPECT_FALSE(ListImages(room).camera);
   WriteText(room / "dso/camchain.yaml",
             "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.003, 0.0007, -0.002, 0.0002]\n"
             "  distortion_model: equidistant\n  intrinsics: [40.5, 40.25, 47.5, 31.5]\n"
             "  resolution: [96, 64]\n");
   for (const fs::path& input : {room, room / "mav0"}) {
-    const ImageList list = ListImages(input, kFrameRate);
+    const ImageList list = ListImages(input);
     ASSERT_TRUE(list.camera) << input;
     EXPECT_EQ(list.camera->model, CameraModel::kKb4);
     EXPECT_EQ(list.camera->fy, 40.25);
     EXPECT_EQ(list.camera->k3, -0.002);
   }
   WriteText(room / "dso/camchain.yaml", "cam1:\n  camera_model: pinhole\n");
-  EXPECT_THAT(ErrorOf([&] { ListImages(room, kFrameRate); }),
-              HasSubstr("camchain.yaml: cam0 is missing"));
+  EXPECT_THAT(ErrorOf([&] { ListImages(room); }), HasSubstr("camchain.yaml: cam0 is missing"));
 }
 
 TEST(ParseResize, AcceptsASizeOrAFactor) {
@@ -457,9 +456,7 @@ TEST(ShippedCameras, EqualTheCalibrationsOfTheDatasets) {
   const auto shipped = [](const char* name) {
     return ReadCameraFile(test::SourceDir() / "configs" / name).camera.parameters();
   };
-  const auto own = [](const char* name) {
-    return *ListImages(test::DataPath(name), kFrameRate).camera;
-  };
+  const auto own = [](const char* name) { return *ListImages(test::DataPath(name)).camera; };
   EXPECT_EQ(shipped("kitti_03.yaml"), own("kitti/sequences/03"));
   EXPECT_EQ(shipped("kitti_04-12.yaml"), own("kitti/sequences/05"));
   EXPECT_EQ(shipped("kitti_04-12.yaml"), own("kitti/sequences/06"));

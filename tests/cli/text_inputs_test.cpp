@@ -30,7 +30,7 @@ class ListsOfImages : public testing::Test {
   /// Lists the images of a TUM sequence whose rgb.txt is changed.
   ImageList ListWith(const std::string& text) const {
     WriteText(tum_ / "rgb.txt", text);
-    return ListImages(tum_, 30);
+    return ListImages(tum_);
   }
 
   TempFolder folder_;
@@ -62,7 +62,7 @@ TEST_F(ListsOfImages, OfEurocMayHaveExponents) {
   WriteEuroc(folder_ / "mav0", 1);
   WriteText(folder_ / "mav0/cam0/data.csv",
             "timestamp,filename\n1.403636579763555584e+18,1403636579763555584.png\n");
-  EXPECT_EQ(ListImages(folder_ / "mav0", 30).images[0].time_ns, 1403636579763555584);
+  EXPECT_EQ(ListImages(folder_ / "mav0").images[0].time_ns, 1403636579763555584);
 }
 
 TEST_F(ListsOfImages, CannotNameFilesOutsideOfTheDataset) {
@@ -73,7 +73,7 @@ TEST_F(ListsOfImages, CannotNameFilesOutsideOfTheDataset) {
                 AllOf(HasSubstr("rgb.txt:1: "), HasSubstr(name), HasSubstr("inside")));
     WriteEuroc(folder_ / "mav0", 1);
     WriteText(folder_ / "mav0/cam0/data.csv", "1403636579763555584," + name + "\n");
-    EXPECT_THAT(ErrorOf([&] { ListImages(folder_ / "mav0", 30); }),
+    EXPECT_THAT(ErrorOf([&] { ListImages(folder_ / "mav0"); }),
                 AllOf(HasSubstr("data.csv:1: "), HasSubstr(name), HasSubstr("inside")));
   }
   EXPECT_EQ(ListWith(time_ + " rgb/../" + file_ + "\n").images.size(), 1u);
@@ -86,9 +86,19 @@ TEST_F(ListsOfImages, OnlySelectedFilesAreLookedAt) {
   }
   WriteText(tum_ / "rgb.txt", text);
   const Selection two{0, 1, 2}, three{0, 1, 3}, last{999, 1, {}};
-  EXPECT_EQ(OpenImages(tum_, {}, 30, two).size(), 2);
-  EXPECT_THAT(ErrorOf([&] { OpenImages(tum_, {}, 30, three); }), HasSubstr("none.png"));
-  EXPECT_THAT(ErrorOf([&] { OpenImages(tum_, {}, 30, last); }), HasSubstr("none.png"));
+  EXPECT_EQ(OpenImages(tum_, {}, two).size(), 2);
+  ImageSource source = OpenImages(tum_, {}, three);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(source.Next()->missing, Reason::kNone);
+  const std::optional<TimedImage> absent = source.Next();
+  EXPECT_EQ(absent->missing, Reason::kUnreadableImage);
+  EXPECT_THAT(absent->error, HasSubstr("none.png"));
+  ImageSource strict = OpenImages(tum_, {}, three);
+  strict.RequireAll();
+  EXPECT_THAT(ErrorOf([&] {
+                while (strict.Next()) continue;
+              }),
+              HasSubstr("none.png"));
+  EXPECT_THAT(ErrorOf([&] { OpenImages(tum_, {}, last).First(); }), HasSubstr("none.png"));
 }
 
 /// A trajectory along a curve at 10 Hz, in any format.

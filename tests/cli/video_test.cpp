@@ -45,7 +45,7 @@ void WriteMpeg4(const fs::path& file) {
                                    cv::Size(kTinyWidth, kTinyHeight)));
 }
 
-ImageSource Open(const fs::path& file) { return OpenImages(file.string(), {}, 30.0, {}); }
+ImageSource Open(const fs::path& file) { return OpenImages(file.string(), {}, {}); }
 
 std::vector<TimedImage> ReadAll(ImageSource& source) {
   std::vector<TimedImage> images;

@@ -48,7 +48,7 @@ TEST(WriteSequence, TumLayoutIsReadBack) {
   const TempFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder / "new", Layout::kTum);
-  const ImageList list = ListImages(folder / "new", 1);
+  const ImageList list = ListImages(folder / "new");
   EXPECT_EQ(list.layout, "tum");
   ExpectSameImages(list, sequence);
 }
@@ -57,7 +57,7 @@ TEST(WriteSequence, KittiLayoutIsReadBack) {
   const TempFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kKitti);
-  const ImageList list = ListImages(folder / "sequences/00", 1);
+  const ImageList list = ListImages(folder / "sequences/00");
   EXPECT_EQ(list.layout, "kitti");
   ExpectSameImages(list, sequence);
   EXPECT_EQ(list.camera, sequence.camera().parameters());
@@ -74,7 +74,7 @@ TEST(WriteSequence, EurocLayoutIsReadBack) {
     (model == CameraModel::kKb4 ? options.camera->k4 : options.camera->p2) = 0.001;
     const Sequence sequence = MakePlanarWall(options);
     WriteSequence(sequence, folder.path(), Layout::kEuroc);
-    const ImageList list = ListImages(folder / "mav0", 1);
+    const ImageList list = ListImages(folder / "mav0");
     EXPECT_EQ(list.layout, "euroc");
     ExpectSameImages(list, sequence);
     EXPECT_EQ(list.camera, sequence.camera().parameters());
@@ -158,7 +158,7 @@ TEST(WriteSequence, ReplacesASequenceThatItWrote) {
   WriteSequence(ShortWall(3), folder.path(), Layout::kTum);
   WriteText(folder / "notes.txt", "mine");
   WriteSequence(ShortWall(2), folder.path(), Layout::kTum);
-  EXPECT_EQ(ListImages(folder.path(), 1).images.size(), 2u);
+  EXPECT_EQ(ListImages(folder.path()).images.size(), 2u);
   EXPECT_FALSE(std::filesystem::exists(folder / "rgb/0.066666667.png"));
   EXPECT_EQ(ReadText(folder / "notes.txt"), "mine");
 }

@@ -51,7 +51,7 @@ synthetic::SequenceOptions RenderOptions(int width) {
 /// Loads the first images of a folder; those without a pose in the truth are left out.
 Recording Load(const std::string& folder, const PoseSequence& truth, const CameraParameters* camera,
                int start) {
-  const ImageList list = ListImages(test::DataPath(folder), 30);
+  const ImageList list = ListImages(test::DataPath(folder));
   Recording recording;
   recording.camera = camera ? *camera : *list.camera;
   const int end = std::min(static_cast<int>(list.images.size()), start + RenderOptions(0).frames);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// A dataset folder; a short run uses only its first `max_short_frames` frames.
 struct Folder {
   Folder(const std::string& folder, int max_short_frames)
-      : list(ListImages(test::DataPath(folder), 30)),
+      : list(ListImages(test::DataPath(folder))),
         num_frames(static_cast<int>(list.images.size())) {
     if (test::IsShortRun()) num_frames = std::min(num_frames, max_short_frames);
   }
