@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -6,17 +7,22 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <fmt/ranges.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/shorthand.h"
 #include "apps/output/decoder_messages.h"
 #include "apps/output/error_text.h"
 #include "apps/output/interruption.h"
@@ -29,6 +35,7 @@ namespace {
 constexpr int kBadInput = 1;
 
 constexpr const char* kFooter = R"(Examples:
+  corvo drive.mp4                                         # corvo run drive.mp4 --focal auto -o drive.corvo
   corvo synth room -o room                                # a sequence with exact ground truth
   corvo run room --camera room/camera.yaml -o result      # its trajectory and map
   corvo eval result/trajectory.tum room/groundtruth.txt   # the accuracy of the trajectory
@@ -40,7 +47,9 @@ constexpr const char* kFooter = R"(Examples:
 /// Sends all messages to standard error, one per line: "corvo: error: ...". Standard output is for
 /// results only.
 void SetUpLogging() {
-  spdlog::set_default_logger(spdlog::stderr_logger_st("corvo"));
+  const bool has_colors = std::getenv("NO_COLOR") == nullptr;  // See no-color.org.
+  spdlog::set_default_logger(spdlog::stderr_color_st(
+      "corvo", has_colors ? spdlog::color_mode::automatic : spdlog::color_mode::never));
   spdlog::set_formatter(MakeLogFormatter());
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }
@@ -64,6 +73,27 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   return kBadInput;
 }
 
+/// Adds --quiet and --verbose, which every command accepts.
+void AddVerbosityFlags(CLI::App& app) {
+  app.fallthrough();
+  CLI::Option* const quiet = app.add_flag_callback(
+      "--quiet", [] { spdlog::set_level(spdlog::level::err); },
+      "print errors only, and no progress; results say what else was to be said");
+  app.add_flag_callback(
+         "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
+         "also print what the inputs were taken for")
+      ->excludes(quiet);
+}
+
+/// Parses the arguments, and executes the command in them.
+void Parse(const std::vector<std::string>& arguments, CLI::App& app) {
+  std::vector<std::string> full = ExpandShorthand(app, arguments);
+  const bool is_quiet = std::ranges::count(full, "--quiet") > 0;
+  if (full != arguments && !is_quiet) spdlog::info("corvo {}", fmt::join(full, " "));
+  std::reverse(full.begin(), full.end());  // As CLI11 takes them.
+  app.parse(std::move(full));
+}
+
 int Main(int argc, char** argv) {
   SetUpLogging();
   EndOnInterruption();
@@ -73,9 +103,10 @@ int Main(int argc, char** argv) {
   app.set_version_flag("--version", CORVO_VERSION);
   app.require_subcommand(0, 1);
   app.footer(kFooter);
+  AddVerbosityFlags(app);
   AddCommands(app, exit_code);
   try {
-    app.parse(argc, argv);
+    Parse({argv + 1, argv + argc}, app);
   } catch (const CLI::ParseError& error) {
     return ReportUsage(app, error);
   } catch (const Error& error) {
@@ -87,9 +118,8 @@ int Main(int argc, char** argv) {
     spdlog::error("{}", ErrorText(error));
     return kBadInput;
   }
-  if (!app.get_subcommands().empty()) return FlushOutput() ? exit_code : kBadInput;
-  spdlog::error("no command given (see --help)");
-  return kBadInput;
+  if (app.get_subcommands().empty()) fmt::print("{}", app.help());
+  return FlushOutput() ? exit_code : kBadInput;
 }
 
 /// Ends the process where no handler catches std::bad_alloc, as in functions that must not throw.

@@ -2,6 +2,7 @@
 #include "apps/commands/commands.h"
 
 #include "apps/commands/calibrate.h"
+#include "apps/commands/completion.h"
 #include "apps/commands/config.h"
 #include "apps/commands/eval.h"
 #include "apps/commands/export.h"
@@ -23,6 +24,7 @@ void AddCommands(CLI::App& app, int& exit_code) {
   AddMatchCommand(app);
   AddLearnCommand(app);
   AddConfigCommand(app);
+  AddCompletionCommands(app);
 }
 
 }  // namespace corvo

@@ -28,8 +28,8 @@ fs::path KittiTruth(const fs::path& input) {
   return input.parent_path().parent_path() / "poses" / (input.filename().string() + ".txt");
 }
 
-/// Returns oxts of the drive if the folder is a drive of KITTI's raw data, or the folder of a camera
-/// or of images in one.
+/// Returns oxts of the drive if the folder is a drive of KITTI's raw data, or the folder of a
+/// camera or of images in one.
 fs::path KittiRawTruth(fs::path folder) {
   if (folder.filename() == "data") folder = folder.parent_path();
   if (folder.filename().string().starts_with("image_")) folder = folder.parent_path();

@@ -29,6 +29,13 @@ std::optional<int> ParseDevice(std::string_view input) {
   return device;
 }
 
+/// Returns how many of `num_images` images are selected.
+int NumSelected(int num_images, const Selection& selection) {
+  const int rest = std::max(0, num_images - selection.start);
+  const int size = (rest + selection.every - 1) / selection.every;
+  return selection.count ? std::min(size, *selection.count) : size;
+}
+
 std::string SizeError(const TimedImage& image, const cv::Size& size) {
   return fmt::format("{}: the image is {} x {} px, the camera {} x {} px", image.name,
                      image.image.cols, image.image.rows, size.width, size.height);
@@ -149,9 +156,13 @@ bool ImageSource::Advance() {
 
 std::optional<int> ImageSource::size() const {
   if (list_.images.empty()) return selection_.count;
-  const int rest = std::max(0, static_cast<int>(list_.images.size()) - selection_.start);
-  const int size = (rest + selection_.every - 1) / selection_.every;
-  return selection_.count ? std::min(size, *selection_.count) : size;
+  return NumSelected(static_cast<int>(list_.images.size()), selection_);
+}
+
+std::optional<int> ImageSource::expected_size() const {
+  const std::optional<VideoFrames> video = video_frames();
+  if (!video || video->num_promised <= 0) return size();
+  return NumSelected(video->num_promised, selection_);
 }
 
 bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::exists(input); }

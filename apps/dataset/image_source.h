@@ -62,6 +62,8 @@ class ImageSource {
   /// Returns the number of selected images (an upper bound for a video or camera), or std::nullopt
   /// if it is unknown.
   std::optional<int> size() const;
+  /// Returns size(), or the number of selected frames that a video promises, or std::nullopt.
+  std::optional<int> expected_size() const;
   /// Returns whether this is a connected camera, whose sequence ends only when the user stops it.
   bool is_live() const { return list_.layout == "camera"; }
   const ImageList& list() const { return list_; }

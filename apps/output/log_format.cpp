@@ -28,7 +28,7 @@ class PrintableMessage : public spdlog::custom_flag_formatter {
 
 std::unique_ptr<spdlog::formatter> MakeLogFormatter() {
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  formatter->add_flag<PrintableMessage>('*').set_pattern("corvo: %l: %*");
+  formatter->add_flag<PrintableMessage>('*').set_pattern("corvo: %^%l%$: %*");
   return formatter;
 }
 

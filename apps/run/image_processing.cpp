@@ -45,7 +45,7 @@ class ImageLoop {
   ImageLoop(const RunArguments& arguments, const RunInputs& inputs, TrackDrawings& drawings,
             Checkpoint& checkpoint)
       : names_(arguments.input, inputs.source.list()),
-        progress_(inputs.source.size().value_or(0)),
+        progress_(inputs.source.expected_size().value_or(0)),
         drawings_(drawings),
         checkpoint_(checkpoint) {}
 

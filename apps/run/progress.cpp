@@ -2,6 +2,8 @@
 #include "apps/run/progress.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -16,8 +18,18 @@ constexpr int kFramesBetweenLines = 100;
 std::string ProgressText(const Progress& progress) {
   std::string text = fmt::format("frame {}", progress.frame.index + 1);
   if (progress.num_frames > 0) text += fmt::format(" of {}", progress.num_frames);
-  return text + fmt::format(": {}, {} inliers, {:.1f} frames/s", ToString(progress.frame.state),
-                            progress.frame.num_inliers, progress.frames_per_second);
+  text += fmt::format(": {}, {} inliers, {:.1f} frames/s", ToString(progress.frame.state),
+                      progress.frame.num_inliers, progress.frames_per_second);
+  const int num_left = progress.num_frames - progress.frame.index - 1;
+  if (num_left <= 0) return text;
+  return text + fmt::format(", {} left", DurationText(num_left / progress.frames_per_second));
+}
+
+std::string DurationText(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02} h", whole / 3600, whole % 3600 / 60);
 }
 
 std::optional<double> ShareDone(const Progress& progress) {

@@ -16,8 +16,11 @@ struct Progress {
   double frames_per_second = 0;
 };
 
-/// Returns text like "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s".
+/// Returns text like "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s, 7 s left".
 std::string ProgressText(const Progress& progress);
+
+/// Returns a duration, rounded up to seconds, like "7 s", "2:05 min" or "1:02 h".
+std::string DurationText(double seconds);
 
 /// Returns the fraction of the frames that are processed, or std::nullopt if the length of the
 /// sequence is unknown.

@@ -8,6 +8,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <spdlog/spdlog.h>
+
 namespace corvo {
 namespace {
 
@@ -37,7 +39,8 @@ std::string ProgressBar(std::optional<double> share, const std::string& text, in
   return Bar(*share, std::min(room, kMaxBarColumns)) + shown;
 }
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine()
+    : is_terminal_(spdlog::should_log(spdlog::level::info) && isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (is_terminal_) std::fputs(kEraseLine, stderr);

@@ -13,7 +13,7 @@ namespace corvo {
 std::string ProgressBar(std::optional<double> share, const std::string& text, int columns);
 
 /// A progress line on standard error that is redrawn in place. Does nothing if standard error is
-/// not a terminal.
+/// not a terminal or messages of the level info are off.
 class ProgressLine {
  public:
   ProgressLine();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tests/cli/command.h"
@@ -37,6 +38,52 @@ TEST(CommandLine, HelpListsTheCommands) {
                     HasSubstr("match"), HasSubstr("config"), HasSubstr("Examples:")));
 }
 
+TEST(CommandLine, WithoutArgumentsPrintsTheHelp) {
+  const CommandResult result = RunCorvo({});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, RunCorvo({"--help"}).out);
+}
+
+TEST(CommandLine, AMisspeltCommandIsAnsweredWithTheNearest) {
+  EXPECT_THAT(RunCorvo({"clibrate", "a.mp4"}).err,
+              HasSubstr("'clibrate' is neither a command nor a file or folder; the nearest command "
+                        "is calibrate"));
+}
+
+TEST(CommandLine, CompletionIsUnderstoodByBash) {
+  const auto complete = [](const std::string& words, int current) {
+    const std::string script = fmt::format(
+        "source <({} completion bash); COMP_WORDS=({}); COMP_CWORD={}; _corvo; "
+        "echo \"${{COMPREPLY[@]}}\"",
+        CORVO_COMMAND, words, current);
+    return RunProgram("/bin/bash", {"-c", script}, {"PATH=/usr/bin:/bin"}).out;
+  };
+  EXPECT_EQ(complete("corvo calib", 1), "calibrate\n");
+  EXPECT_EQ(complete("corvo run --meters", 2), "--meters-per-unit\n");
+  EXPECT_EQ(complete("corvo eval --meters", 2), "\n");
+}
+
+TEST(CommandLine, CompletionNamesEveryOptionInEveryShell) {
+  for (const char* shell : {"bash", "zsh", "fish"}) {
+    const CommandResult result = RunCorvo({"completion", shell});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.out, AllOf(HasSubstr("meters-per-unit"), HasSubstr("undistort"))) << shell;
+  }
+}
+
+TEST(CommandLine, ManualPagesHaveTheSectionsOfMan) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"manual"}, std::vector<std::string>{"manual", "run"}}) {
+    const CommandResult result = RunCorvo(arguments);
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* section : {".TH corvo", ".SH NAME\n", ".SH SYNOPSIS\n", ".SH OPTIONS\n"}) {
+      EXPECT_THAT(result.out, HasSubstr(section));
+    }
+  }
+  EXPECT_THAT(RunCorvo({"manual", "run"}).out, HasSubstr("\\fB\\-\\-meters\\-per\\-unit\\fR"));
+  EXPECT_EQ(RunCorvo({"manual", "fly"}).exit_code, 1);
+}
+
 TEST(CommandLine, PrintsItsVersion) {
   const CommandResult result = RunCorvo({"--version"});
   EXPECT_EQ(result.exit_code, 0);
@@ -55,7 +102,7 @@ TEST_P(WrongUsage, PrintsOneLineAndExitsWith1) {
 
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, WrongUsage,
-    testing::Values(std::vector<std::string>{}, std::vector<std::string>{"fly"},
+    testing::Values(std::vector<std::string>{"fly"}, std::vector<std::string>{"completion", "tcsh"},
                     std::vector<std::string>{"run"}, std::vector<std::string>{"run", "folder"},
                     std::vector<std::string>{"run", "folder", "-o", "out", "--fps", "-3"},
                     std::vector<std::string>{"run", "folder", "-o", "out", "--threads", "many"},

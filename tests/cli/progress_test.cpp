@@ -18,7 +18,18 @@ Progress After(int count, int num_frames) {
 
 TEST(ProgressText, HasFrameStateInliersAndRate) {
   EXPECT_EQ(ProgressText(After(100, 300)),
-            "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s");
+            "frame 100 of 300: tracking, 156 inliers, 32.1 frames/s, 7 s left");
+  EXPECT_EQ(ProgressText(After(300, 300)),
+            "frame 300 of 300: tracking, 156 inliers, 32.1 frames/s");
+  EXPECT_EQ(ProgressText(After(301, 300)),
+            "frame 301 of 300: tracking, 156 inliers, 32.1 frames/s");
+}
+
+TEST(DurationText, HasTheUnitOfItsMagnitude) {
+  EXPECT_EQ(DurationText(0.1), "1 s");
+  EXPECT_EQ(DurationText(59.5), "1:00 min");
+  EXPECT_EQ(DurationText(125), "2:05 min");
+  EXPECT_EQ(DurationText(3600 + 125), "1:02 h");
 }
 
 TEST(ProgressText, OfALiveCameraHasNoTotal) {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <concepts>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <type_traits>
@@ -18,6 +17,7 @@
 
 #include "orb/error.h"
 #include "vo/core/option_fields.h"
+#include "vo/io/nearest_name.h"
 #include "vo/io/yaml_document.h"
 
 namespace corvo {
@@ -27,27 +27,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMinFrameRateHz = 1e-3;
 constexpr double kMaxFrameRateHz = 1e5;
-
-/// Returns the Levenshtein distance: the least number of inserted, dropped or changed characters.
-int EditDistance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = std::exchange(row[0], static_cast<int>(i) + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string Nearest(const std::string& key, const std::vector<std::string>& known) {
-  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return EditDistance(key, a) < EditDistance(key, b);
-  });
-}
 
 /// Returns "<file>:<line>: ", with lines counted from 1.
 std::string Where(const fs::path& file, const YAML::Mark& mark) {
@@ -106,7 +85,7 @@ class Section {
         throw Error(fmt::format("{}the key {} is now {}", where, Named(key), moved->second));
       }
       throw Error(fmt::format("{}unknown key {}; the nearest known key is {}", where, Named(key),
-                              Named(Nearest(key, known))));
+                              Named(NearestName(key, known))));
     }
   }
 
