@@ -11,10 +11,6 @@ if(CORVO_HARDEN AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   check_pie_supported(OUTPUT_VARIABLE ignored LANGUAGES CXX)
   target_compile_options(corvo_flags INTERFACE -fstack-protector-strong
     "$<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
-  # -fPIC, which shared libraries need, is for those who ask CMake for it.
-  if(NOT CMAKE_POSITION_INDEPENDENT_CODE)
-    target_compile_options(corvo_flags INTERFACE -fPIE)
-  endif()
   if(NOT APPLE)
     target_link_options(corvo_flags INTERFACE -Wl,-z,relro,-z,now)
   endif()

@@ -31,6 +31,11 @@ install(
   DESTINATION ${corvo_package_dir})
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# The completions and manual pages are printed by the command itself.
+if(TARGET corvo AND NOT CMAKE_CROSSCOMPILING)
+  include(${CMAKE_CURRENT_LIST_DIR}/command_documentation.cmake)
+endif()
+
 if(TARGET corvo)
   install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/corvo)
