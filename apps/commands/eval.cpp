@@ -17,11 +17,11 @@
 #include "apps/dataset/frame_selection.h"
 #include "apps/output/evaluation_report.h"
 #include "apps/output/json_text.h"
-#include "apps/output/output_folder.h"
-#include "apps/output/plot.h"
+#include "apps/output/plot_file.h"
 #include "apps/run/eval_inputs.h"
 #include "apps/run/number_option.h"
 #include "apps/run/result_folder.h"
+#include "apps/run/run_plot.h"
 #include "orb/error.h"
 #include "vo/evaluation/time_offset.h"
 #include "vo/io/decimal_time.h"
@@ -135,28 +135,27 @@ void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
   fmt::print("{}", JsonText(json));
 }
 
-void DrawPlot(const EvalArguments& arguments, const EvalInputs& inputs,
-              const Evaluation& evaluation) {
-  const std::filesystem::path& image = arguments.image;
-  const PoseSequence aligned = MovePoses(evaluation.truth_from_estimate, inputs.estimate);
-  OutputFolder output(std::filesystem::absolute(image).parent_path(),
-                      PlanOfFile(image, {}, arguments.force));
-  if (DrawTrajectory({{aligned}, inputs.truth}, output.Stage(image.filename().string()))) {
-    output.Commit();
-    return;
-  }
-  spdlog::warn("{} was not written: gnuplot is missing or failed (Debian: gnuplot-nox)",
-               image.string());
+TrajectoryPlot MakePlot(const EvalInputs& inputs, const Evaluation& evaluation) {
+  TrajectoryPlot plot;
+  plot.title = fmt::format("{}: {} poses, {}", SequenceName(inputs.estimate_file),
+                           inputs.estimate.size(), AteText(evaluation));
+  plot.estimates.push_back({"estimate", MovePoses(evaluation.truth_from_estimate, inputs.estimate),
+                            evaluation.aligned_pairs});
+  plot.truth = inputs.truth;
+  plot.unit = std::string("m");
+  plot.has_times = inputs.has_times;
+  plot.ate_rmse = evaluation.absolute.rmse;
+  return plot;
 }
 
 void Eval(const EvalArguments& arguments) {
+  PlotFile plot(arguments.image, arguments.force);
   const EvalInputs inputs = ReadInputs(arguments);
   const std::string offset_text = OffsetText(arguments, inputs);
   const Evaluation evaluation = EvaluateInputs(arguments, inputs, offset_text);
   if (!offset_text.empty()) spdlog::warn("{}", offset_text);
   PrintReport(arguments, inputs, evaluation);
-  if (arguments.image.empty()) return;
-  DrawPlot(arguments, inputs, evaluation);
+  plot.Draw(MakePlot(inputs, evaluation));
 }
 
 void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
@@ -216,7 +215,8 @@ void AddEvalCommand(CLI::App& app) {
   AddInputOptions(*command, *arguments);
   AddMeasureOptions(*command, *arguments);
   command->add_flag("--json", arguments->json, "print JSON");
-  command->add_option("--plot", arguments->image, "PNG file for a plot of both trajectories");
+  command->add_option("--plot", arguments->image,
+                      "file for a plot of both trajectories and the errors, as .pdf, .svg or .png");
   AddForceFlag(*command, arguments->force);
   command->footer(kFooter);
   command->callback([arguments] { Eval(*arguments); });

@@ -14,12 +14,14 @@
 #include "apps/output/error_text.h"
 #include "apps/output/interruption.h"
 #include "apps/output/output_folder.h"
+#include "apps/output/plot_file.h"
 #include "apps/output/printable.h"
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
 #include "apps/run/image_processing.h"
 #include "apps/run/number_option.h"
 #include "apps/run/run_inputs.h"
+#include "apps/run/run_plot.h"
 #include "apps/run/run_record.h"
 #include "apps/run/run_results.h"
 #include "apps/run/run_summary.h"
@@ -38,6 +40,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo run images/ --focal auto -o result            # without a calibration
   corvo run images/ --fov 70 -o result                # ... with the lens's field of view
   corvo run sequences/03 --refine -o result           # with global refinement at the end
+  corvo run sequences/03 --plot figure.pdf -o result  # with a vector graphic for a paper
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 invalid usage, configuration or input, 2 never initialized, 3 lost part-way,
@@ -63,8 +66,21 @@ std::string FramesText(const RunSummary& summary) {
   throw Error(fmt::format("{}; only the trajectory is in {}", error, output.checkpoint().string()));
 }
 
+/// Throws corvo::Error if --plot names a file of the results.
+void CheckPlot(const RunArguments& arguments) {
+  const std::filesystem::path result = arguments.output / "trajectory.png";
+  if (arguments.plot.empty() || std::filesystem::weakly_canonical(arguments.plot) !=
+                                    std::filesystem::weakly_canonical(result)) {
+    return;
+  }
+  throw Error(fmt::format("--plot: {} is a file of the results; choose another name",
+                          arguments.plot.string()));
+}
+
 int Run(const RunArguments& arguments, const Interruption& interruption) {
+  CheckPlot(arguments);
   OutputFolder output(arguments.output, PlanOfRun(arguments.force));
+  PlotFile plot(arguments.plot, arguments.force);
   TrackDrawings drawings(arguments.drawings, arguments.force);
   RunInputs inputs = ReadInputs(arguments, interruption);
   Checkpoint checkpoint(arguments, inputs, output);
@@ -76,6 +92,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
     SaveTheTrajectory(ErrorText(error), record, checkpoint, output);
   }
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
+  plot.Draw(MakeRunPlot(arguments, inputs, record, summary), record.end.is_complete());
   if (summary.end.is_complete()) {
     fmt::print("{}", Printable(SummaryText(arguments, summary)));
     return static_cast<int>(summary.outcome);
@@ -101,6 +118,9 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   AddForceFlag(command, arguments.force);
   command.add_option("--draw", arguments.drawings,
                      "folder for drawings of every frame with its tracked features");
+  command.add_option("--plot", arguments.plot,
+                     "file for a plot of the trajectory like trajectory.png, as .pdf, .svg or "
+                     ".png");
   command
       .add_option("--meters-per-unit", arguments.meters_per_unit,
                   "scale factor of the written trajectories and map (default: 1)")

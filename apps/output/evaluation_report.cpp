@@ -103,6 +103,12 @@ Json ToJson(const Evaluation& evaluation) {
   return json;
 }
 
+std::string AteText(const Evaluation& evaluation) {
+  const double rmse = evaluation.absolute.rmse;
+  return rmse < 1000 ? fmt::format("ATE rmse {:.3g} m", rmse)
+                     : fmt::format("ATE rmse {:.0f} m", rmse);
+}
+
 std::string ToText(const std::string& name, const ErrorStatistics& errors,
                    const std::string& unit) {
   if (errors.count == 0) return fmt::format("{:<22} none\n", name);

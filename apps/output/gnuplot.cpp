@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -14,7 +13,10 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/durable_file.h"
+#include "apps/output/plot_format.h"
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -33,16 +35,6 @@ File HoldText(const std::string& text) {
   if (std::fflush(file.get()) != 0) return nullptr;
   std::rewind(file.get());
   return file;
-}
-
-/// Returns whether a file ends with the last chunk of a PNG.
-bool IsWholePng(const std::filesystem::path& file) {
-  constexpr std::string_view kEnd = "IEND\xAE\x42\x60\x82";
-  std::ifstream stream(file, std::ios::binary);
-  stream.seekg(-static_cast<std::streamoff>(kEnd.size()), std::ios::end);
-  std::string end(kEnd.size(), '\0');
-  stream.read(end.data(), static_cast<std::streamsize>(end.size()));
-  return stream.good() && end == kEnd;
 }
 
 /// Runs gnuplot with these files as standard input and output. Returns whether it succeeded.
@@ -69,14 +61,29 @@ bool Spawn(int input, const std::filesystem::path& output) {
   return error == 0 && waitpid(process, &status, 0) == process && status == 0;
 }
 
+/// Replaces the times of creation in a PDF by a fixed one.
+void RemoveDates(const std::filesystem::path& pdf) {
+  constexpr std::string_view kKey = "/CreationDate (D:", kDate = "19700101000000";
+  std::string bytes = ReadFileBytes(pdf, kMaxResultBytes);
+  std::size_t key = 0;
+  while ((key = bytes.find(kKey, key)) != std::string::npos) {
+    key += kKey.size();
+    if (key + kDate.size() < bytes.size()) bytes.replace(key, kDate.size(), kDate);
+  }
+  WriteFile(pdf, bytes);
+}
+
 }  // namespace
 
 bool RunGnuplot(const std::string& script, const std::filesystem::path& output) {
   const File input = HoldText(script);
   if (input && Spawn(fileno(input.get()), output)) {
     // gnuplot reports no error if the disk is full.
-    if (IsWholePng(output)) return true;
-    throw Error(fmt::format("{}: cannot be written in full", output.string()));
+    if (!IsWholePlot(output)) {
+      throw Error(fmt::format("{}: cannot be written in full", output.string()));
+    }
+    if (ParsePlotFormat("plot", output) == PlotFormat::kPdf) RemoveDates(output);
+    return true;
   }
   std::error_code ignored;
   std::filesystem::remove(output, ignored);

@@ -32,6 +32,7 @@ struct RunArguments {
   std::filesystem::path times;  ///< File with the times of the images.
   std::optional<int> bits;      ///< Used bits of 16-bit images.
   std::filesystem::path drawings;         ///< Folder for drawings of the tracked features.
+  std::filesystem::path plot;             ///< File for a plot beside that of the results.
   std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty for the original size.

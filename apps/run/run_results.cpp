@@ -5,14 +5,14 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include "apps/output/environment.h"
 #include "apps/output/final_map.h"
 #include "apps/output/json_text.h"
-#include "apps/output/plot.h"
+#include "apps/output/plot_file.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
+#include "apps/run/run_plot.h"
 #include "apps/run/trajectory_file.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
@@ -29,30 +29,6 @@ PoseSequence PosedKeyframes(const Trajectory& trajectory) {
     if (frame.is_keyframe) keyframes.frames.push_back(frame);
   }
   return keyframes.PosedFrames();
-}
-
-std::vector<PoseSequence> PosesBySegment(const Trajectory& trajectory) {
-  std::vector<PoseSequence> poses;
-  for (const Segment& segment : trajectory.Segments()) {
-    poses.push_back(PosesOf(segment, trajectory));
-  }
-  return poses;
-}
-
-/// Returns the plot of the estimate, together with the ground truth during the images' time span.
-/// The estimate is aligned with the ground truth if the trajectory was evaluated.
-TrajectoryPlot MakePlot(const Trajectory& trajectory, const RunInputs& inputs,
-                        const RunSummary& summary) {
-  TrajectoryPlot plot{PosesBySegment(trajectory), {}};
-  if (!summary.evaluation) return plot;
-  for (PoseSequence& segment : plot.segments) {
-    segment = MovePoses(summary.evaluation->truth_from_estimate, std::move(segment));
-  }
-  for (const TimedPose& pose : inputs.truth.poses) {
-    if (pose.time_ns < trajectory.frames.front().time_ns) continue;
-    if (pose.time_ns <= trajectory.frames.back().time_ns) plot.truth.push_back(pose);
-  }
-  return plot;
 }
 
 constexpr const char* kSegmentPrefix = "trajectory_segment_";
@@ -129,11 +105,8 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
-  const TrajectoryPlot plot = MakePlot(record.trajectory, inputs, summary);
-  if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) {
-    spdlog::warn(
-        "trajectory.png was not written: gnuplot is missing or failed (Debian: gnuplot-nox)");
-  }
+  const TrajectoryPlot plot = MakeRunPlot(arguments, inputs, record, summary);
+  if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) WarnOfMissingPlot("trajectory.png");
 }
 
 fs::path CommitResults(const RunEnd& end, const fs::path& folder, OutputFolder& output) {

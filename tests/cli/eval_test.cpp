@@ -206,6 +206,11 @@ TEST_F(Eval, DrawsAnImage) {
   const fs::path image = folder_ / "with 'quotes' and spaces.png";
   EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", image}).exit_code, 0);
   EXPECT_THAT(ReadText(image), StartsWith("\x89PNG"));
+  const fs::path figure = folder_ / "figure.svg";
+  EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--plot", figure}).exit_code, 0);
+  EXPECT_THAT(ReadText(figure), HasSubstr("estimate.tum: 12 poses, ATE rmse"));
+  ExpectError(RunCorvo({"eval", estimate_, truth_, "--plot", folder_ / "figure.jpg"}),
+              "the extension is \".jpg\"; allowed is .png, .pdf or .svg");
 }
 
 }  // namespace

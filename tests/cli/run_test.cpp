@@ -188,6 +188,20 @@ TEST_F(Run, WorksWithoutGnuplot) {
   EXPECT_FALSE(fs::exists(result_ / "trajectory.png"));
 }
 
+TEST_F(Run, WritesAPlotBesideItsResults) {
+  const fs::path file = folder_ / "figure.svg";
+  EXPECT_EQ(RunHere({"--plot", file}).exit_code, kNeverInitialized);
+  EXPECT_THAT(ReadText(file), AllOf(HasSubstr(": 0 of 5 frames posed"), HasSubstr("</svg>")));
+  WriteText(file, "mine");
+  ExpectError(RunHere({"--plot", file}), "figure.svg: not written by an earlier corvo");
+}
+
+TEST_F(Run, RejectsAPlotBeforeTheWorkBegins) {
+  ExpectError(RunHere({"--plot", folder_ / "figure.eps"}), "allowed is .png, .pdf or .svg");
+  ExpectError(RunHere({"--plot", result_ / "trajectory.png"}), "is a file of the results");
+  EXPECT_FALSE(fs::exists(result_));
+}
+
 TEST_F(Run, RecognizesEveryLayout) {
   WriteKitti(folder_ / "kitti", 2);
   WriteEuroc(folder_ / "euroc/mav0", 2);
