@@ -180,8 +180,11 @@ def stack(images):
 def make_palette():
     """Returns an image with the palette of the pictures: grays and the colors of the drawings."""
     grays = [(v, v, v) for v in np.linspace(0, 255, 18).round().astype(int)]
-    colors = [(60, 220, 80), (50, 130, 60), (255, 160, 60), (160, 110, 60), (250, 210, 90)]
-    colors += [(25, 8, 8), (50, 16, 16), (80, 26, 26), (110, 40, 40)]  # What is masked.
+    colors = [(51, 99, 141), (41, 123, 142), (32, 146, 140), (36, 170, 131), (70, 192, 111)]
+    colors += [(124, 210, 80), (189, 223, 38), (253, 231, 37)]  # The ages of tracks.
+    colors += [(255, 200, 60), (230, 159, 0)]  # A state with a reason, the camera.
+    masked = np.linspace(0, 255, 8)[:, None] * 0.6 + 0.4 * np.array([213, 94, 0])
+    colors += [tuple(color) for color in masked.round().astype(int)]
     colors += [(48, 96, 192), (224, 112, 0), (255, 208, 144)]  # Curves.
     palette = Image.new("P", (1, 1))
     palette.putpalette([int(value) for color in grays + colors for value in color])

@@ -40,6 +40,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo run images/ --focal auto -o result            # without a calibration
   corvo run images/ --fov 70 -o result                # ... with the lens's field of view
   corvo run sequences/03 --refine -o result           # with global refinement at the end
+  corvo run sequences/03 --draw film.mp4 -o result    # with a film of the tracked features
   corvo run sequences/03 --plot figure.pdf -o result  # with a vector graphic for a paper
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
@@ -93,6 +94,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   }
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
   plot.Draw(MakeRunPlot(arguments, inputs, record, summary), record.end.is_complete());
+  drawings.Finish(record.end.is_complete());
   if (summary.end.is_complete()) {
     fmt::print("{}", Printable(SummaryText(arguments, summary)));
     return static_cast<int>(summary.outcome);
@@ -117,7 +119,8 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "folder for the results")->required();
   AddForceFlag(command, arguments.force);
   command.add_option("--draw", arguments.drawings,
-                     "folder for drawings of every frame with its tracked features");
+                     "drawings of every frame with its tracked features: a folder for images, or a "
+                     "film (.mp4, .mov, .mkv, .avi)");
   command.add_option("--plot", arguments.plot,
                      "file for a plot of the trajectory like trajectory.png, as .pdf, .svg or "
                      ".png");

@@ -44,7 +44,8 @@ class ImageLoop {
  public:
   ImageLoop(const RunArguments& arguments, const RunInputs& inputs, TrackDrawings& drawings,
             Checkpoint& checkpoint)
-      : names_(arguments.input, inputs.source.list()),
+      : image_size_(inputs.camera.given.width, inputs.camera.given.height),
+        names_(arguments.input, inputs.source.list()),
         progress_(inputs.source.expected_size().value_or(0)),
         drawings_(drawings),
         checkpoint_(checkpoint) {}
@@ -73,14 +74,21 @@ class ImageLoop {
     if (frame.is_keyframe) {
       record.colors.Add(record.odometry.last_frame(), next.color.empty() ? next.image : next.color);
     }
-    if (next.missing == Reason::kNone) {
-      drawings_.Add(next.image, record.odometry.last_mask(), record.odometry.last_frame(), frame);
-    }
+    Draw(next, frame, record.odometry);
     progress_.Add(frame);
     checkpoint_.Update(record.odometry);
     watch_.LapMs();
   }
 
+  void Draw(const TimedImage& next, const FrameResult& frame, const Odometry& odometry) {
+    if (next.missing != Reason::kNone) {
+      drawings_.AddMissing(image_size_, frame);
+    } else {
+      drawings_.Add(next.image, odometry.last_mask(), odometry.last_frame(), frame);
+    }
+  }
+
+  cv::Size image_size_;
   ImageNames names_;
   ProgressReport progress_;
   TrackDrawings& drawings_;

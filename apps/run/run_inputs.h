@@ -29,9 +29,9 @@ struct RunArguments {
   std::optional<double> max_dt_s;  ///< Maximum time difference of compared poses; see HalfFrame().
   std::filesystem::path mask;
   std::optional<double> frame_rate_hz;
-  std::filesystem::path times;  ///< File with the times of the images.
-  std::optional<int> bits;      ///< Used bits of 16-bit images.
-  std::filesystem::path drawings;         ///< Folder for drawings of the tracked features.
+  std::filesystem::path times;            ///< File with the times of the images.
+  std::optional<int> bits;                ///< Used bits of 16-bit images.
+  std::filesystem::path drawings;         ///< Folder or film for drawings of the tracked features.
   std::filesystem::path plot;             ///< File for a plot beside that of the results.
   std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
   Selection selection;

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "apps/run/run_results.h"
 #include "tests/cli/command.h"
@@ -410,6 +411,22 @@ TEST_F(Run, AnErrorLeavesThePartialResult) {
   EXPECT_EQ(CountLines(ReadText(result_ / "frames.csv")), 4);
   EXPECT_EQ(RunHere().exit_code, kNeverInitialized) << "replaces the partial result";
   EXPECT_EQ(Summary()["frames"], 5);
+}
+
+TEST_F(Run, DrawsEveryFrameIntoAFilm) {
+  const fs::path film = folder_ / "film.avi";
+  const auto count_images = [&] {
+    cv::VideoCapture capture(film.string(), cv::CAP_FFMPEG);
+    int count = 0;
+    for (cv::Mat image; capture.read(image);) ++count;
+    return count;
+  };
+  WriteText(images_ / "3.png", "garbage");
+  ExpectError(RunHere({"--strict", "--draw", film}), "3.png: not a readable image, after 3 of 5");
+  EXPECT_EQ(count_images(), 3) << "a run that ends early leaves a whole film";
+  EXPECT_EQ(RunHere({"--draw", film}).exit_code, kNeverInitialized);
+  EXPECT_EQ(count_images(), 5) << "also a frame without an image";
+  ExpectError(RunHere({"--draw", folder_ / "film.webm"}), "allowed is .mp4, .mov, .mkv or .avi");
 }
 
 TEST_F(Run, NeverReplacesTheUsersFiles) {
