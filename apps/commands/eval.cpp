@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "apps/commands/eval.h"
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
-#include "apps/dataset/frame_selection.h"
 #include "apps/output/evaluation_report.h"
+#include "apps/output/evaluation_table.h"
 #include "apps/output/json_text.h"
+#include "apps/output/output_folder.h"
 #include "apps/output/plot_file.h"
-#include "apps/run/eval_inputs.h"
+#include "apps/run/evaluated_result.h"
 #include "apps/run/number_option.h"
-#include "apps/run/result_folder.h"
 #include "apps/run/run_plot.h"
-#include "orb/error.h"
-#include "vo/evaluation/time_offset.h"
-#include "vo/io/decimal_time.h"
 
 namespace corvo {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kFooter = R"(Examples:
   corvo eval result                                  # a run and the ground truth that it used
   corvo eval result MH_01_easy                       # a run and the ground truth of a dataset
   corvo eval estimate.txt truth.txt
   corvo eval estimate.txt poses/03.txt --times sequences/03/times.txt
-  corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.png
+  corvo eval estimate.txt truth.txt --align se3 --max-dt 0.01 --plot error.pdf
+  corvo eval result estimate.txt --gt truth.txt      # a table with one row for each result
+  corvo eval result --per-pose errors.csv            # the errors of every pose
   corvo eval estimate.txt truth.txt --time-offset -0.052   # a clock that is ahead by 52 ms
   corvo eval result groundtruth.txt --states tracking --rpe-seconds 2 --json
 
+Without --gt, a last argument after a single EST is GT unless it is a result folder; several results
+are compared with --gt, or each with the ground truth of its run. The table has root mean squares.
 EST and GT are in TUM format (8 columns: seconds, position, quaternion), KITTI format (12 columns,
 no timestamps) or EuRoC format (comma-separated: ns, position, quaternion). EuRoC ground truth is
 moved from the body to cam0 with the calibration beside it. Two KITTI files are compared row by row.
@@ -46,128 +46,92 @@ Use --align sim3 for monocular trajectories. ATE and RPE are defined as in evo:
   evo_rpe tum GT EST -as -d 1 -u f --all_pairs              # --rpe-frames 1
   evo_rpe tum GT EST -as -d 1 -u m --pairs_from_reference   # --rpe-meters 1)";
 
-struct EvalArguments {
-  EvalFiles files;
-  std::filesystem::path image;
-  std::filesystem::path frames;  ///< If empty, the frames.csv beside the estimate.
-  FrameSelection selection;
-  std::string alignment = "sim3";
-  std::optional<double> max_dt_s;
-  std::optional<double> rpe_meters;
-  int rpe_frames = 1;
-  double rpe_seconds = 1;
-  double time_offset_s = 0;
-  bool json = false;
-  bool force = false;
-};
-
-TimeNs Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
-
-EvaluationOptions MakeOptions(const EvalArguments& arguments) {
-  EvaluationOptions options;
-  options.alignment = ParseAlignment(arguments.alignment);
-  if (arguments.max_dt_s) options.max_dt_ns = Nanoseconds(*arguments.max_dt_s);
-  options.relative_delta_frames = arguments.rpe_frames;
-  options.relative_delta_ns = Nanoseconds(arguments.rpe_seconds);
-  options.relative_delta_path = arguments.rpe_meters;
-  return options;
+std::vector<NamedEvaluation> NamesOf(const std::vector<EvaluatedResult>& results) {
+  std::vector<NamedEvaluation> named;
+  for (const EvaluatedResult& result : results) named.push_back(result.named);
+  return named;
 }
 
-EvalInputs ReadInputs(const EvalArguments& arguments) {
-  EvalInputs inputs = ReadEvalInputs(arguments.files);
-  if (arguments.time_offset_s != 0 && !inputs.has_times) {
-    throw Error("--time-offset: rows of KITTI files have no timestamps; give --times FILE");
-  }
-  const TimeNs offset_ns = Nanoseconds(arguments.time_offset_s);
-  if (arguments.selection.SelectsAll()) {
-    inputs.estimate = ShiftTimes(offset_ns, std::move(inputs.estimate));
-    return inputs;
-  }
-  const std::filesystem::path frames = arguments.frames.empty()
-                                           ? inputs.estimate_file.parent_path() / "frames.csv"
-                                           : arguments.frames;
-  if (arguments.frames.empty()) CheckResultFile(arguments.files.estimate, "frames.csv");
-  inputs.estimate =
-      ShiftTimes(offset_ns, SelectFrames(inputs.estimate, frames, arguments.selection));
-  return inputs;
-}
-
-/// Returns a text on the offset that the estimate's times seem to have, and how to correct it;
-/// empty if no offset is suspected.
-std::string OffsetText(const EvalArguments& arguments, const EvalInputs& inputs) {
-  if (!inputs.has_times) return "";
-  const std::optional<TimeOffset> offset = FindTimeOffset(inputs.estimate, inputs.truth);
-  if (!offset) return "";
-  const double offset_s = arguments.time_offset_s + ToSeconds(offset->offset_ns);
-  std::string text = fmt::format(
-      "the timestamps of the estimate and the ground truth seem to differ by an offset: with "
-      "--time-offset {:.4f} the ATE is {:.6g}",
-      offset_s, offset->rmse);
-  if (offset->rmse_without) text += fmt::format(" instead of {:.6g}", *offset->rmse_without);
-  return text;
-}
-
-/// Evaluates the estimate. An error states where the times of both start, and `offset_text`.
-Evaluation EvaluateInputs(const EvalArguments& arguments, const EvalInputs& inputs,
-                          const std::string& offset_text) {
-  try {
-    return Evaluate(inputs.estimate, inputs.truth, MakeOptions(arguments));
-  } catch (const Error& error) {
-    if (!inputs.has_times || inputs.estimate.empty() || inputs.truth.empty()) throw;
-    throw Error(fmt::format("{}; the estimate starts at {} s, the ground truth at {} s{}{}",
-                            error.what(), FormatSeconds(inputs.estimate.front().time_ns),
-                            FormatSeconds(inputs.truth.front().time_ns),
-                            offset_text.empty() ? "" : "; ", offset_text));
-  }
-}
-
-void PrintReport(const EvalArguments& arguments, const EvalInputs& inputs,
-                 const Evaluation& evaluation) {
-  if (!arguments.json) {
-    fmt::print("{}", ToText(evaluation));
-    return;
-  }
-  nlohmann::ordered_json json = {{"estimate", inputs.estimate_file.string()},
-                                 {"truth", inputs.truth_file.string()},
+nlohmann::ordered_json ToJson(const EvalArguments& arguments, const EvaluatedResult& result) {
+  nlohmann::ordered_json json = {{"estimate", result.inputs.estimate_file.string()},
+                                 {"truth", result.inputs.truth_file.string()},
                                  {"align", arguments.alignment},
                                  {"time_offset_s", arguments.time_offset_s}};
-  json.update(ToJson(evaluation));
-  fmt::print("{}", JsonText(json));
+  json.update(ToJson(result.named.evaluation));
+  return json;
 }
 
-TrajectoryPlot MakePlot(const EvalInputs& inputs, const Evaluation& evaluation) {
+/// Prints the measures of one result, or a table of several.
+void PrintReport(const EvalArguments& arguments, const std::vector<EvaluatedResult>& results) {
+  if (arguments.json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const EvaluatedResult& result : results) json.push_back(ToJson(arguments, result));
+    fmt::print("{}", JsonText(results.size() == 1 ? json.front() : json));
+  } else if (results.size() == 1) {
+    fmt::print("{}", ToText(results.front().named.evaluation));
+  } else {
+    fmt::print("{}", EvaluationTable(NamesOf(results)));
+  }
+}
+
+/// Returns the plot of results that have the same ground truth.
+TrajectoryPlot MakePlot(const std::vector<EvaluatedResult>& results) {
+  const EvaluatedResult& first = results.front();
   TrajectoryPlot plot;
-  plot.title = fmt::format("{}: {} poses, {}", SequenceName(inputs.estimate_file),
-                           inputs.estimate.size(), AteText(evaluation));
-  plot.estimates.push_back({"estimate", MovePoses(evaluation.truth_from_estimate, inputs.estimate),
-                            evaluation.aligned_pairs});
-  plot.truth = inputs.truth;
+  plot.truth = first.inputs.truth;
   plot.unit = std::string("m");
-  plot.has_times = inputs.has_times;
-  plot.ate_rmse = evaluation.absolute.rmse;
+  plot.has_times = first.inputs.has_times;
+  for (const EvaluatedResult& result : results) {
+    const Evaluation& evaluation = result.named.evaluation;
+    plot.estimates.push_back({fmt::format("{}, {}", result.named.name, AteText(evaluation)),
+                              MovePoses(evaluation.truth_from_estimate, result.inputs.estimate),
+                              evaluation.aligned_pairs});
+  }
+  if (results.size() > 1) {
+    plot.title = fmt::format("{} results compared with {}", results.size(),
+                             SequenceName(first.inputs.truth_file));
+    return plot;
+  }
+  plot.title = fmt::format("{}: {} poses, {}", first.named.name, first.inputs.estimate.size(),
+                           AteText(first.named.evaluation));
+  plot.estimates.front().name = "estimate";
+  plot.ate_rmse = first.named.evaluation.absolute.rmse;
   return plot;
+}
+
+/// Prepares the file of --per-pose, if it was given.
+void OpenPoseErrors(const EvalArguments& arguments, std::optional<OutputFolder>& output) {
+  const fs::path& file = arguments.pose_errors;
+  if (file.empty()) return;
+  output.emplace(fs::absolute(file).parent_path(), PlanOfFile(file, {}, arguments.force));
 }
 
 void Eval(const EvalArguments& arguments) {
   PlotFile plot(arguments.image, arguments.force);
-  const EvalInputs inputs = ReadInputs(arguments);
-  const std::string offset_text = OffsetText(arguments, inputs);
-  const Evaluation evaluation = EvaluateInputs(arguments, inputs, offset_text);
-  if (!offset_text.empty()) spdlog::warn("{}", offset_text);
-  PrintReport(arguments, inputs, evaluation);
-  plot.Draw(MakePlot(inputs, evaluation));
+  std::optional<OutputFolder> pose_errors;
+  OpenPoseErrors(arguments, pose_errors);
+  const std::vector<EvaluatedResult> results = EvaluateResults(arguments);
+  PrintReport(arguments, results);
+  if (pose_errors) {
+    pose_errors->Write(arguments.pose_errors.filename().string(), PoseErrorTable(NamesOf(results)));
+    pose_errors->Commit();
+  }
+  plot.Draw(MakePlot(results));
 }
 
 void AddInputOptions(CLI::App& command, EvalArguments& arguments) {
   command
-      .add_option("EST", arguments.files.estimate,
-                  "estimated trajectory, or output folder of 'corvo run'")
+      .add_option(
+          "EST", arguments.results,
+          "estimated trajectories, or output folders of 'corvo run'; after a single one, GT "
+          "may follow")
+      ->type_name("")
       ->required();
   command.add_option(
-      "GT", arguments.files.truth,
+      "--gt", arguments.truth,
       "ground truth, or folder of a dataset sequence that has it (default: the ground truth that "
       "the run in EST was compared with)");
-  command.add_option("--times", arguments.files.times,
+  command.add_option("--times", arguments.times,
                      "file with the timestamps of the rows of a KITTI file");
   command
       .add_option("--states", arguments.selection.states,
@@ -214,6 +178,9 @@ void AddEvalCommand(CLI::App& app) {
   const auto arguments = std::make_shared<EvalArguments>();
   AddInputOptions(*command, *arguments);
   AddMeasureOptions(*command, *arguments);
+  command->add_option("--per-pose", arguments->pose_errors,
+                      "CSV file for the errors of every pose: timestamp, translation error in "
+                      "meters, rotation error in degrees");
   command->add_flag("--json", arguments->json, "print JSON");
   command->add_option("--plot", arguments->image,
                       "file for a plot of both trajectories and the errors, as .pdf, .svg or .png");

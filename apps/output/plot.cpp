@@ -127,9 +127,16 @@ std::string ColorOf(std::size_t estimate) {
   return fmt::format("lw 1.8 lc rgb '{}'{}", kColors[estimate % kColors.size()], dashes);
 }
 
+/// Returns the end of a name that is too long for the legend.
+std::string Shortened(const std::string& name) {
+  constexpr std::size_t kMaxLength = 48;
+  return name.size() <= kMaxLength ? name : "..." + name.substr(name.size() - kMaxLength + 3);
+}
+
 std::string LegendOf(const TrajectoryPlot& plot, std::size_t estimate) {
   const std::size_t count = plot.estimates.size();
-  if (count <= kMaxNames || estimate + 1 < kMaxNames) return plot.estimates[estimate].name;
+  if (count <= kMaxNames || estimate + 1 < kMaxNames)
+    return Shortened(plot.estimates[estimate].name);
   return estimate + 1 == kMaxNames ? fmt::format("and {} more", count - kMaxNames + 1) : "";
 }
 
@@ -155,9 +162,7 @@ std::vector<Curve> ErrorCurves(const TrajectoryPlot& plot) {
 std::string PlotCommand(const std::vector<Curve>& curves, const char* columns) {
   std::string command = "plot ";
   for (const Curve& curve : curves) {
-    const std::string title = curve.legend.empty() ? "notitle" : "title " + Quoted(curve.legend);
-    command +=
-        fmt::format("${} using {} with lines {} {}, ", curve.block, columns, title, curve.style);
+    command += fmt::format("${} using {} with lines {}, ", curve.block, columns, curve.style);
   }
   return command;
 }
@@ -170,17 +175,35 @@ std::string Place(double left, double right, double bottom, double top) {
       left, right, bottom, top);
 }
 
+/// Returns the commands for the title and the legend, in a panel of the figure's width, which the
+/// entries share.
+std::string LegendPanel(const TrajectoryPlot& plot, const std::vector<Curve>& curves) {
+  std::string entries;
+  for (const Curve& curve : curves) {
+    if (curve.legend.empty()) continue;
+    entries += fmt::format("NaN with lines title {} {}, ", Quoted(curve.legend), curve.style);
+  }
+  return Place(0.02, 0.98, 0.86, 0.953) +
+         fmt::format("set label 1 {} at screen 0.5,0.97 center\n", Quoted(plot.title)) +
+         "unset border\nunset tics\nset key inside center top horizontal Left reverse\n"
+         "plot [0:1] [0:1] " +
+         entries +
+         "NaN with points pt 7 lc rgb 'black' title 'start'\n"
+         "unset label 1\nset key off\nset border 3\nset xtics nomirror\nset ytics nomirror\n"
+         "set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n";
+}
+
 std::string PathPanel(const TrajectoryPlot& plot, const std::vector<Curve>& curves,
                       const VerticalAxis& axes) {
-  return Place(0.07, 0.485, 0.1, 0.86) + EqualRanges(BoundingBox(plot), axes) +
+  return Place(0.07, 0.485, 0.1, 0.85) + EqualRanges(BoundingBox(plot), axes) +
          fmt::format(
-             "set size ratio -1\nset key at screen 0.5,0.935 center top horizontal Left reverse\n"
+             "set size ratio -1\n"
              "set xlabel '{} [{}]'\nset ylabel '{} [{}]'\n",
              kAxisNames[axes.across], plot.unit, kAxisNames[axes.along], plot.unit) +
          PlotCommand(curves, "1:2") +
          fmt::format(
-             "${} every ::0:0:0:0 using 1:2 with points pt 7 lc rgb 'black' "
-             "title 'start'\nset key off\nset size noratio\nset autoscale\n",
+             "${} every ::0:0:0:0 using 1:2 with points pt 7 lc rgb 'black'\n"
+             "set size noratio\nset autoscale\n",
              plot.estimates.empty() ? "truth" : "estimate0");
 }
 
@@ -190,7 +213,7 @@ std::string TimeLabel(const TrajectoryPlot& plot) {
 
 std::string HeightPanel(const TrajectoryPlot& plot, const std::vector<Curve>& curves,
                         bool has_errors) {
-  return Place(0.57, 0.95, has_errors ? 0.53 : 0.1, 0.86) +
+  return Place(0.57, 0.95, has_errors ? 0.53 : 0.1, 0.85) +
          (has_errors ? "set format x ''\nunset xlabel\n" : TimeLabel(plot)) +
          fmt::format("set ylabel 'height [{}]'\n", plot.unit) + PlotCommand(curves, "4:3") + "\n";
 }
@@ -199,7 +222,7 @@ std::string HeightPanel(const TrajectoryPlot& plot, const std::vector<Curve>& cu
 std::string ErrorPanel(const TrajectoryPlot& plot) {
   std::string rmse, label;
   if (plot.ate_rmse) {
-    rmse = fmt::format("{:.6g} with lines notitle lw 1.2 dt 2 lc rgb '#555555'", *plot.ate_rmse);
+    rmse = fmt::format("{:.6g} with lines lw 1.2 dt 2 lc rgb '#555555'", *plot.ate_rmse);
     label = fmt::format("set label 2 'rmse' at graph 1.01, first {:.6g}\n", *plot.ate_rmse);
   }
   return Place(0.57, 0.95, 0.1, 0.47) + "set format x\nset xrange [GPVAL_X_MIN:GPVAL_X_MAX]\n" +
@@ -224,9 +247,7 @@ std::string DataBlocks(const TrajectoryPlot& plot, const VerticalAxis& axes) {
 }  // namespace
 
 std::string PlotScript(const TrajectoryPlot& plot, PlotFormat format) {
-  std::string script = TerminalCommand(format) +
-                       "set encoding utf8\nset border 3\nset tics nomirror\n"
-                       "set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n";
+  std::string script = TerminalCommand(format) + "set encoding utf8\n";
   const std::vector<Curve> curves = Curves(plot);
   if (curves.empty()) {
     return script + fmt::format("set title {}\n", Quoted(plot.title)) +
@@ -235,9 +256,7 @@ std::string PlotScript(const TrajectoryPlot& plot, PlotFormat format) {
   const VerticalAxis axes = AxesOf(plot);
   const bool has_errors = !ErrorCurves(plot).empty();
   script += DataBlocks(plot, axes);
-  script +=
-      fmt::format("set multiplot\nset label 1 {} at screen 0.5,0.965 center\n", Quoted(plot.title));
-  script += PathPanel(plot, curves, axes) + "unset label 1\n";
+  script += "set multiplot\n" + LegendPanel(plot, curves) + PathPanel(plot, curves, axes);
   script += HeightPanel(plot, curves, has_errors);
   if (has_errors) script += ErrorPanel(plot);
   return script + "unset multiplot\n";

@@ -53,8 +53,20 @@ std::vector<PlottedEstimate> Estimates(const Trajectory& trajectory) {
 }
 
 bool IsGeneric(const std::string& name) {
-  constexpr std::array<std::string_view, 9> kNames = {"",    "mav0",    "cam0", "data", "images",
-                                                      "rgb", "image_0", "dso",  "."};
+  constexpr std::array<std::string_view, 14> kNames = {"",
+                                                       ".",
+                                                       "mav0",
+                                                       "cam0",
+                                                       "data",
+                                                       "images",
+                                                       "rgb",
+                                                       "image_0",
+                                                       "dso",
+                                                       "data.csv",
+                                                       "state_groundtruth_estimate0",
+                                                       "groundtruth.txt",
+                                                       "groundtruth.tum",
+                                                       "trajectory.tum"};
   return std::ranges::count(kNames, name) > 0 || name.find_first_of("*?[") != std::string::npos;
 }
 

@@ -15,8 +15,8 @@ namespace corvo {
 TrajectoryPlot MakeRunPlot(const RunArguments& arguments, const RunInputs& inputs,
                            const RunRecord& record, const RunSummary& summary);
 
-/// Returns a name for titles: that of the last folder or file of a path, without the folders that
-/// all sequences of a layout have, such as mav0, and without patterns.
+/// Returns a name for titles: that of the last folder or file of a path, without names that all
+/// sequences or results have, such as mav0 and trajectory.tum, and without patterns.
 std::string SequenceName(const std::filesystem::path& input);
 
 }  // namespace corvo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -200,6 +202,104 @@ TEST_F(Eval, PrintsTheMeasures) {
   const CommandResult result = RunCorvo({"eval", estimate_, truth_});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, AllOf(HasSubstr("ATE"), HasSubstr("RPE"), HasSubstr("100.0% of the")));
+}
+
+/// Returns the lines of a text.
+std::vector<std::string> Lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(Eval, ComparesSeveralResultsInOneTable) {
+  const std::string shifted = TumLine(0, 1, 0.5) + truth_text_.substr(TumLine(0, 1, 0).size());
+  WriteText(folder_ / "a/trajectory.tum", estimate_text_);
+  WriteText(folder_ / "a/frames.csv", "timestamp,state,segment\n0.0,tracking,0\n");
+  WriteText(folder_ / "long name/trajectory.tum", shifted);
+  const CommandResult result = RunCorvo(
+      {"eval", folder_ / "a", folder_ / "long name", estimate_, "--gt", truth_, "--align", "se3"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = Lines(result.out);
+  ASSERT_EQ(lines.size(), 5);
+  EXPECT_THAT(lines[0], ContainsRegex("^result +posed +coverage +ATE +ATE +RPE 1 frame"));
+  EXPECT_THAT(lines[1], ContainsRegex("^ +.frames. +.%. +.m. +.% of path. +.m. +.deg. +.m."));
+  EXPECT_THAT(lines[2], ContainsRegex("^a +12/1 +100.0 +[0-9.]+ "));
+  EXPECT_THAT(lines[3], ContainsRegex("^long name +12 +100.0 +0.1[0-9]+ "));
+  EXPECT_THAT(lines[4], StartsWith("estimate.tum"));
+  for (const std::string& line : lines) EXPECT_EQ(line.size(), lines[0].size());
+}
+
+TEST_F(Eval, ComparesEveryRunWithItsOwnTruth) {
+  for (const char* name : {"a", "b", "c"}) {
+    WriteText(folder_ / name / "trajectory.tum", estimate_text_);
+    WriteText(folder_ / name / "groundtruth.tum", truth_text_);
+  }
+  EXPECT_EQ(Lines(RunCorvo({"eval", folder_ / "a", folder_ / "b"}).out).size(), 4);
+  const nlohmann::json reports = Measure({folder_ / "a", folder_ / "b", folder_ / "c"});
+  ASSERT_EQ(reports.size(), 3);
+  EXPECT_EQ(reports[2]["truth"], (folder_ / "c/groundtruth.tum").string());
+  EXPECT_EQ(reports[2], Measure({folder_ / "c"}));
+  ExpectError(RunCorvo({"eval", folder_ / "a", folder_ / "b", "--plot", folder_ / "x.png"}),
+              "several results need one ground truth");
+}
+
+TEST_F(Eval, TakesTheSecondOfTwoAsTruthUnlessItIsAResult) {
+  WriteText(folder_ / "rgbd/groundtruth.txt", truth_text_);
+  WriteText(folder_ / "rgbd/trajectory.tum", "a run into the folder of its dataset");
+  EXPECT_EQ(Measure({estimate_, folder_ / "rgbd"})["pairs"], kCount);
+}
+
+TEST_F(Eval, NamesTheResultThatCannotBeEvaluated) {
+  WriteText(folder_ / "late.tum", "1000 0 0 0 0 0 0 1\n1001 0 0 1 0 0 0 1\n");
+  ExpectError(RunCorvo({"eval", estimate_, folder_ / "late.tum", "--gt", truth_}),
+              "late.tum: no pose of 2 lies within");
+}
+
+TEST_F(Eval, NamesEqualResultsByTheirPaths) {
+  for (const char* name : {"x/run", "y/run"}) {
+    WriteText(folder_ / name / "trajectory.tum", estimate_text_);
+  }
+  EXPECT_THAT(RunCorvo({"eval", folder_ / "x/run", folder_ / "y/run", "--gt", truth_}).out,
+              AllOf(HasSubstr("x/run/trajectory.tum "), HasSubstr("y/run/trajectory.tum ")));
+}
+
+TEST_F(Eval, WritesTheErrorsOfEveryPose) {
+  std::string shifted;
+  for (int i = 0; i < kCount; ++i) {
+    shifted += fmt::format("{}.0 {} {} {} 0 0 0.7071067811865476 0.7071067811865476\n", i, i,
+                           i % 3 + 0.25, i % 2);
+  }
+  WriteText(estimate_, shifted);
+  const fs::path table = folder_ / "errors.csv";
+  const auto eval = [&](std::vector<std::string> results) {
+    results.insert(results.begin(), "eval");
+    for (const std::string& more :
+         {std::string("--gt"), truth_.string(), std::string("--align"), std::string("none"),
+          std::string("--per-pose"), table.string()}) {
+      results.push_back(more);
+    }
+    return RunCorvo(results);
+  };
+  EXPECT_EQ(eval({estimate_}).exit_code, 0);
+  std::vector<std::string> lines = Lines(ReadText(table));
+  ASSERT_EQ(lines.size(), kCount + 1);
+  EXPECT_EQ(lines[0], "timestamp,translation_error_m,rotation_error_deg");
+  EXPECT_EQ(lines[5], "4.000000000,0.25,90");
+  EXPECT_EQ(eval({estimate_, truth_}).exit_code, 0);
+  lines = Lines(ReadText(table));
+  ASSERT_EQ(lines.size(), 2 * kCount + 1);
+  EXPECT_EQ(lines[1], "estimate.tum,0.000000000,0.25,90");
+  EXPECT_EQ(lines.back(), "truth.tum,11.000000000,0,0");
+  WriteText(table, "mine");
+  ExpectError(eval({estimate_}), "errors.csv: not written by an earlier corvo");
+}
+
+TEST_F(Eval, DrawsSeveralResults) {
+  const fs::path figure = folder_ / "figure.svg";
+  EXPECT_EQ(RunCorvo({"eval", estimate_, truth_, "--gt", truth_, "--plot", figure}).exit_code, 0);
+  EXPECT_THAT(ReadText(figure), AllOf(HasSubstr("estimate.tum, ATE rmse"),
+                                      HasSubstr("truth.tum, ATE rmse"), HasSubstr("2 results")));
 }
 
 TEST_F(Eval, DrawsAnImage) {

@@ -157,7 +157,7 @@ TEST(PlotScript, DrawsEveryEstimateInItsOwnColor) {
 TEST(PlotScript, NamesFewOfManyEstimates) {
   const std::string script = PlotScript(PlotOf(std::vector<PoseSequence>(10, kForward)));
   EXPECT_THAT(script, AllOf(HasSubstr("title '4'"), HasSubstr("title 'and 5 more'"),
-                            HasSubstr("$estimate9 using 1:2 with lines notitle")));
+                            HasSubstr("$estimate9 using 1:2 with lines")));
   EXPECT_THAT(script, Not(HasSubstr("title '5'")));
 }
 
