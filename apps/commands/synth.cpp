@@ -12,12 +12,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "apps/dataset/named_camera.h"
 #include "apps/output/interruption.h"
 #include "apps/output/printable.h"
 #include "apps/run/number_option.h"
 #include "apps/synthetic/sequence.h"
 #include "apps/synthetic/writer.h"
-#include "vo/io/config.h"
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
@@ -36,10 +37,16 @@ synthetic::Layout ParseLayout(const std::string& name) {
   return name == "euroc" ? synthetic::Layout::kEuroc : synthetic::Layout::kTum;
 }
 
+/// Reads the camera of images that are yet to be made.
+CameraParameters ReadSizedCamera(const std::filesystem::path& named) {
+  const StatedCamera camera = ReadNamedCamera(named).camera;
+  if (camera.has_size()) return camera.parameters;
+  throw Error(fmt::format("{}: states no image size; give a camera file with width and height",
+                          named.string()));
+}
+
 int Synthesize(SynthArguments& arguments) {
-  if (!arguments.camera.empty()) {
-    arguments.options.camera = ReadCameraFile(arguments.camera).camera.parameters();
-  }
+  if (!arguments.camera.empty()) arguments.options.camera = ReadSizedCamera(arguments.camera);
   const synthetic::Sequence sequence = arguments.make(arguments.options);
   const bool terminal = isatty(fileno(stderr)) != 0;
   const synthetic::Layout layout = ParseLayout(arguments.layout);
@@ -107,8 +114,10 @@ void AddScene(CLI::App& synth, const char* name, const char* description,
       "--width", arguments->options.width,
       "width of the images, px; height and focal length scale with it (default: the "
       "scene's own)");
-  command->add_option("--camera", arguments->camera,
-                      "camera file of any model; replaces the scene's own camera");
+  command->add_option(
+      "--camera", arguments->camera,
+      "calibration file as for 'corvo run', with an image size, or name of a shipped "
+      "camera; replaces the scene's own camera");
   command
       ->add_option("--noise", arguments->options.noise_sigma,
                    "standard deviation of the pixel noise, gray levels")

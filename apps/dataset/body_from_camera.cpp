@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/dataset/sensor_yaml.h"
+#include "apps/dataset/camera_formats/document.h"
 #include "orb/error.h"
 #include "vo/core/trajectory.h"
 
@@ -58,7 +58,7 @@ std::optional<SE3> ParseCameraChain(const YAML::Node& root) {
 std::optional<SE3> ReadTransform(const fs::path& file,
                                  std::optional<SE3> (*parse)(const YAML::Node&)) {
   if (!fs::exists(file)) return std::nullopt;
-  const YAML::Node root = LoadSensorYaml(file);
+  const YAML::Node root = ReadDocument(file);
   try {
     return parse(root);
   } catch (const YAML::Exception& error) {

@@ -2,6 +2,7 @@
 #include "apps/dataset/shipped_cameras.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "orb/error.h"
 #include "vo/io/config.h"
@@ -11,12 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool FitsSize(const fs::path& file, int width, int height) {
+/// Returns std::nullopt for an options file.
+std::optional<Camera> FindCamera(const fs::path& file) {
   try {
-    const Camera camera = ReadCameraFile(file).camera;
-    return camera.width() == width && camera.height() == height;
+    return ReadCameraFile(file).camera;
   } catch (const Error&) {
-    return false;  // An options file, not a camera file.
+    return std::nullopt;
   }
 }
 
@@ -28,16 +29,35 @@ fs::path ConfigFolder() {
   return (command.parent_path() / CORVO_CONFIGS_FROM_COMMAND).lexically_normal();
 }
 
-}  // namespace
-
-std::vector<fs::path> FindShippedCameras(int width, int height) {
-  std::vector<fs::path> files;
+/// Returns the names of the shipped cameras that `is_wanted` accepts, sorted.
+template <typename Predicate>
+std::vector<std::string> NamesOf(Predicate&& is_wanted) {
+  std::vector<std::string> names;
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(ConfigFolder(), none)) {
-    if (FitsSize(entry.path(), width, height)) files.push_back(entry.path());
+    const std::optional<Camera> camera = FindCamera(entry.path());
+    if (camera && is_wanted(*camera)) names.push_back(entry.path().stem().string());
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> ShippedCameraNames() {
+  return NamesOf([](const Camera&) { return true; });
+}
+
+std::vector<std::string> ShippedCameraNames(int width, int height) {
+  return NamesOf(
+      [&](const Camera& camera) { return camera.width() == width && camera.height() == height; });
+}
+
+fs::path ShippedCameraFile(const std::string& name) {
+  for (const std::string& shipped : ShippedCameraNames()) {
+    if (name == shipped || name == shipped + ".yaml") return ConfigFolder() / (shipped + ".yaml");
+  }
+  return {};
 }
 
 }  // namespace corvo

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/image_header.h"
+#include "apps/dataset/named_camera.h"
 #include "apps/dataset/shipped_cameras.h"
-#include "apps/dataset/tum_mono_sequence.h"
 #include "apps/run/camera_check.h"
 #include "apps/run/camera_start.h"
 #include "apps/run/number_option.h"
@@ -21,15 +22,19 @@
 namespace corvo {
 namespace {
 
-/// Returns the camera given by --camera, if any: a camera file, or the camera.txt of a TUM-mono
-/// sequence.
-std::optional<CameraFile> ReadNamedCamera(const RunArguments& arguments) {
+/// Returns the camera given by --camera, if any. Logs which one is used if the file has several.
+std::optional<StatedCamera> ReadGivenCamera(const RunArguments& arguments) {
   if (arguments.camera.empty()) return std::nullopt;
-  if (arguments.camera.extension() != ".txt") return ReadCameraFile(arguments.camera);
-  return CameraFile{Camera(ReadTumMonoCamera(arguments.camera)), {}, "", {}};
+  CalibrationFile file = ReadNamedCamera(arguments.camera);
+  const bool is_chosen = arguments.camera.string().ends_with(":" + file.name);
+  if (file.names.size() > 1 && !is_chosen) {
+    spdlog::info("{0}: the first of {1} cameras, {2}, is used; {0}:NAME selects another",
+                 arguments.camera.string(), file.names.size(), file.name);
+  }
+  return std::move(file.camera);
 }
 
-InputOptions OptionsOf(const RunArguments& arguments, const std::optional<CameraFile>& camera) {
+InputOptions OptionsOf(const RunArguments& arguments, const std::optional<StatedCamera>& camera) {
   InputOptions options;
   options.frame_rate_hz = arguments.frame_rate_hz;
   if (camera && camera->frame_rate_hz) options.default_frame_rate_hz = *camera->frame_rate_hz;
@@ -42,12 +47,10 @@ InputOptions OptionsOf(const RunArguments& arguments, const std::optional<Camera
   std::string message =
       fmt::format("{}: ships no calibration; give --camera FILE, --fov DEGREES, or --focal auto",
                   arguments.input.string());
-  const std::vector<std::filesystem::path> cameras = FindShippedCameras(size.width, size.height);
+  const std::vector<std::string> cameras = ShippedCameraNames(size.width, size.height);
   if (!cameras.empty()) {
-    message += fmt::format("; camera files for {} x {} px:", size.width, size.height);
-    for (const std::filesystem::path& file : cameras) {
-      message += fmt::format(" {}", file.string());
-    }
+    message += fmt::format("; shipped cameras of {} x {} px, for --camera: {}", size.width,
+                           size.height, fmt::join(cameras, ", "));
   }
   throw Error(message);
 }
@@ -106,12 +109,15 @@ ImageSource OpenPreparedImages(const RunArguments& arguments) {
   return images;
 }
 
-/// Returns the given camera, or the one calibrated from the images or stated by its focal length if
-/// requested, or else the dataset's.
-CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<CameraFile>& named,
+/// Returns the given camera, whose size is that of the images if its file states none, or the one
+/// calibrated from the images or stated by its focal length if requested, or else the dataset's.
+CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<StatedCamera>& given,
                        const OdometryOptions& options, const Interruption& interruption,
                        ImageSource& source) {
-  if (named) return named->Prior(options.calibration);
+  if (given) {
+    const cv::Size size = source.First().image.size();
+    return given->ForImages(size.width, size.height).Prior(options.calibration);
+  }
   if (arguments.focal == kAutoFocal) {
     SelfCalibrationOptions calibration;
     calibration.odometry = options;
@@ -184,9 +190,11 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
                   "image folder, quoted file pattern, KITTI, KITTI raw, EuRoC, TUM-VI, TUM RGB-D, "
                   "TUM-mono or TartanAir sequence, video, or camera number")
       ->required();
-  CLI::Option* const camera =
-      command.add_option("--camera", arguments.camera,
-                         "camera file or TUM-mono camera.txt; overrides the dataset's calibration");
+  CLI::Option* const camera = command.add_option(
+      "--camera", arguments.camera,
+      "calibration file of corvo, OpenCV, Kalibr, ROS, ORB-SLAM, COLMAP, KITTI, "
+      "DSO or others, FILE:NAME for one of several cameras in it, or the name of "
+      "a shipped camera (tum_fr1); overrides the dataset's calibration");
   AddFocalOptions(command, camera, arguments);
   command
       .add_option("--fps", arguments.frame_rate_hz,
@@ -214,13 +222,13 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
 
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption) {
   const OdometryOptions options = ReadRunOptions(arguments);
-  const std::optional<CameraFile> named = ReadNamedCamera(arguments);
+  const std::optional<StatedCamera> given = ReadGivenCamera(arguments);
   CheckFocal(arguments);
   ImageSource source =
-      OpenImages(arguments.input.string(), OptionsOf(arguments, named), arguments.selection);
+      OpenImages(arguments.input.string(), OptionsOf(arguments, given), arguments.selection);
   if (arguments.strict) source.RequireAll();
   const TimedImage& first = source.First();
-  const CameraPrior camera = ReadCamera(arguments, named, options, interruption, source);
+  const CameraPrior camera = ReadCamera(arguments, given, options, interruption, source);
   std::vector<std::string> warnings = CheckGivenCamera(arguments, camera.given);
   const cv::Size size(camera.given.width, camera.given.height);
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);

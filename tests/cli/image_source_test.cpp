@@ -96,13 +96,14 @@ TEST(KittiSequence, ErrorsNameTheMalformedFile) {
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "calib.txt", "P0: 80 0 47.5\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
-              HasSubstr("calib.txt:1: 3 values after P0:; a projection matrix has 12"));
+              HasSubstr("calib.txt:1: 3 values after P0:; needed are 12"));
   WriteText(folder / "calib.txt", "P0: 80 0 47.5 0 0 hm 31.5 0 0 0 1 0\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("calib.txt:1: 'hm' is not a number"));
   WriteText(folder / "calib.txt", "P0: -80 0 47.5 0 0 81 31.5 0 0 0 1 0\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("calib.txt:1: camera.fx is -80"));
   WriteText(folder / "calib.txt", "P7: 1\n");
-  EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("calib.txt: has no row P0:"));
+  EXPECT_THAT(ErrorOfListing(folder.path()),
+              HasSubstr("calib.txt: holds no camera P0; it holds P7"));
 }
 
 TEST(KittiSequence, RequiresOneAscendingTimePerImage) {
@@ -153,7 +154,7 @@ TEST(EurocSequence, ErrorsNameTheMalformedFile) {
   const std::filesystem::path cam0 = folder / "mav0/cam0";
   WriteText(cam0 / "sensor.yaml", "resolution: [96, 64]\ncamera_model: fisheye\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
-              HasSubstr("sensor.yaml: camera_model is 'fisheye'; only pinhole is supported"));
+              HasSubstr("sensor.yaml: camera_model is 'fisheye'; only pinhole can be read"));
   std::string sensor = test::EurocSensor();
   sensor.replace(sensor.find("[96"), 3, "[-9");
   WriteText(cam0 / "sensor.yaml", sensor);

@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "apps/dataset/camera_formats/calibration_file.h"
 #include "apps/dataset/image_source.h"
-#include "apps/dataset/tum_mono_sequence.h"
 #include "apps/output/interruption.h"
 #include "apps/run/camera_start.h"
 #include "apps/run/run_inputs.h"
@@ -265,11 +265,11 @@ TEST(TumMonoSequence, ErrorsNameTheMalformedFile) {
   EXPECT_THAT(error(), AllOf(HasSubstr("times.txt:2"), HasSubstr("00001.jpg")));
   WriteTumMono(folder.path(), 2);
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5\n96 64\n");
-  EXPECT_THAT(error(), HasSubstr("camera.txt:1: '0.5 0.75 0.5 0.5' is not 'fx fy cx cy omega'"));
-  WriteText(folder / "camera.txt", "48 48 47 31 0.9\n96 64\n");
+  EXPECT_THAT(error(), HasSubstr("camera.txt: is no camera file of a known form"));
+  WriteText(folder / "camera.txt", "48 48 47 0.5 0.9\n96 64\n");
   EXPECT_THAT(error(), AllOf(HasSubstr("camera.txt:1"), HasSubstr("fractions of the image's")));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 9\n96 64\n");
-  EXPECT_THAT(error(), HasSubstr("camera.txt: camera.omega is 9"));
+  EXPECT_THAT(error(), HasSubstr("camera.txt:1: camera.omega is 9"));
   WriteText(folder / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n");
   EXPECT_THAT(error(), HasSubstr("camera.txt: has no second line"));
 }
@@ -307,7 +307,8 @@ TEST(EurocSequence, TumViCalibrationIsReadFromBesideMav0) {
     EXPECT_EQ(list.camera->k3, -0.002);
   }
   WriteText(room / "dso/camchain.yaml", "cam1:\n  camera_model: pinhole\n");
-  EXPECT_THAT(ErrorOf([&] { ListImages(room); }), HasSubstr("camchain.yaml: cam0 is missing"));
+  EXPECT_THAT(ErrorOf([&] { ListImages(room); }),
+              HasSubstr("camchain.yaml: holds no camera cam0; it holds cam1"));
 }
 
 TEST(ParseResize, AcceptsASizeOrAFactor) {
@@ -410,7 +411,7 @@ TEST_F(PreparedInputs, AcceptTheCameraFileOfTumMono) {
   WriteText(folder_ / "camera.txt", "0.5 0.75 0.5 0.5 0.9\n96 64\n");
   arguments_.camera = folder_ / "camera.txt";
   EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given,
-            ReadTumMonoCamera(folder_ / "camera.txt"));
+            ReadCalibrationFile(folder_ / "camera.txt").camera.parameters);
 }
 
 TEST_F(PreparedInputs, StatedFocalLengthIsThatOfTheImagesBeforeTheyAreResized) {

@@ -223,7 +223,8 @@ TEST_F(Run, RequiresACameraIfTheDatasetShipsNone) {
   for (int i = 0; i < 5; ++i) {
     WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 640, 480));
   }
-  ExpectError(RunCorvo({"run", images_, "-o", result_}), "tum_fr1.yaml");
+  ExpectError(RunCorvo({"run", images_, "-o", result_}),
+              "; shipped cameras of 640 x 480 px, for --camera: 7scenes, tum_fr1, ");
 }
 
 TEST_F(Run, RejectsTheFocalSearchOfALiveOrCalibratedCamera) {

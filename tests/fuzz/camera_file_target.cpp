@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "apps/dataset/camera_formats/calibration_file.h"
 #include "tests/fuzz/scratch_folder.h"
 #include "tests/fuzz/targets.h"
 #include "vo/io/config.h"
@@ -8,10 +9,15 @@ namespace corvo::fuzz {
 void FuzzCameraFile(Bytes bytes) {
   const std::filesystem::path file = WriteScratchFile(Input(bytes).Text());
   AllowError([&] {
-    const CameraFile read = ReadCameraFile(file);
+    const CalibrationFile stated = ReadCalibrationFile(file);
+    const CameraFile read = stated.camera.ForImages(640, 480);
     Require(read.camera.parameters().IsValid(), "a camera that is read is valid");
-    const CameraFile again = ReadCameraFile(WriteScratchFile(WriteCameraFile(read)));
-    Require(again.camera == read.camera, "a camera that is written is read back unchanged");
+    for (const std::string& name : stated.names) {
+      AllowError([&] { ReadCalibrationFile(file, name); });
+    }
+    const CalibrationFile again = ReadCalibrationFile(WriteScratchFile(WriteCameraFile(read)));
+    Require(again.camera.parameters == read.camera.parameters(),
+            "a camera that is written is read back unchanged");
   });
 }
 

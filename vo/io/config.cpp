@@ -17,6 +17,7 @@
 
 #include "orb/error.h"
 #include "vo/core/option_fields.h"
+#include "vo/io/file_bytes.h"
 #include "vo/io/nearest_name.h"
 #include "vo/io/yaml_document.h"
 
@@ -25,8 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMinFrameRateHz = 1e-3;
-constexpr double kMaxFrameRateHz = 1e5;
 
 /// Returns "<file>:<line>: ", with lines counted from 1.
 std::string Where(const fs::path& file, const YAML::Mark& mark) {
@@ -369,8 +368,12 @@ std::string WriteOptions(const OdometryOptions& options) {
 }
 
 CameraFile ReadCameraFile(const fs::path& file) {
+  return ParseCameraFile(ReadFileBytes(file, kMaxYamlBytes), file);
+}
+
+CameraFile ParseCameraFile(const std::string& text, const fs::path& file) {
   CameraParameters parameters;
-  const Section root(file, "", ReadYaml(file));
+  const Section root(file, "", ParseYaml(text, file));
   std::vector<std::string> known = {"model", "frame_rate_hz", "source", kSigma};
   CameraParameters::VisitAll(parameters, NameCollector{known});
   root.CheckKeys(known);

@@ -23,6 +23,10 @@ OdometryOptions ReadOptions(const std::filesystem::path& file);
 /// meaning and range as a comment.
 std::string WriteOptions(const OdometryOptions& options);
 
+/// The range of the frame rate that a camera file states, Hz.
+inline constexpr double kMinFrameRateHz = 1e-3;
+inline constexpr double kMaxFrameRateHz = 1e5;
+
 /// The contents of a camera file.
 struct CameraFile {
   Camera camera;
@@ -42,6 +46,9 @@ struct CameraFile {
 /// deviations of any of fx, fy, cx, cy and the distortion, in their own units, or of focal, which
 /// is fx and fy together, as a share of them.
 CameraFile ReadCameraFile(const std::filesystem::path& file);
+
+/// Like ReadCameraFile(), for the content of a file. `file` is for messages.
+CameraFile ParseCameraFile(const std::string& text, const std::filesystem::path& file);
 
 /// Returns the text of a file that ReadCameraFile() reads back unchanged.
 std::string WriteCameraFile(const CameraFile& camera_file);

@@ -9,8 +9,10 @@ namespace corvo {
 
 inline constexpr std::size_t kMebibyte = 1 << 20;
 
-/// The largest configuration or camera file that is read, bytes.
+/// The largest YAML or XML file that is read, such as a configuration, bytes.
 inline constexpr std::size_t kMaxYamlBytes = 1 * kMebibyte;
+/// The largest file of a camera in any other form that is read, bytes.
+inline constexpr std::size_t kMaxCalibrationBytes = 16 * kMebibyte;
 /// The largest text file that is read, such as a trajectory or a list of images, bytes.
 inline constexpr std::size_t kMaxTextBytes = 256 * kMebibyte;
 /// The largest encoded image that is read, bytes.

@@ -50,7 +50,10 @@ std::string_view WithoutByteOrderMark(std::string_view text, const std::string& 
 }
 
 std::vector<TextLine> ReadTextLines(const std::filesystem::path& file) {
-  const std::string bytes = ReadFileBytes(file, kMaxTextBytes);
+  return ParseTextLines(ReadFileBytes(file, kMaxTextBytes), file);
+}
+
+std::vector<TextLine> ParseTextLines(std::string_view bytes, const std::filesystem::path& file) {
   std::string_view rest = WithoutByteOrderMark(bytes, file.string());
   if (rest.find('\0') != std::string_view::npos) {
     throw Error(fmt::format("{}: is not a text file: it holds a NUL byte", file.string()));

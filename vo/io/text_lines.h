@@ -27,6 +27,9 @@ std::string_view WithoutByteOrderMark(std::string_view text, const std::string& 
 /// than kMaxTextBytes, has more than kMaxTextLines, holds a NUL byte or is UTF-16.
 std::vector<TextLine> ReadTextLines(const std::filesystem::path& file);
 
+/// Like ReadTextLines(), for the content of a file. `file` is for messages.
+std::vector<TextLine> ParseTextLines(std::string_view bytes, const std::filesystem::path& file);
+
 /// Like ReadTextLines(), but without a header: the first line is left out if none of its fields is
 /// a number, NaN included.
 std::vector<TextLine> ReadTableLines(const std::filesystem::path& file);

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// These tests cover the values of --camera that are not a camera file of corvo.
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/output/interruption.h"
+#include "apps/run/run_inputs.h"
+#include "tests/cli/command.h"
+#include "tests/cli/expect_error.h"
+#include "tests/cli/tiny_sequence.h"
+#include "tests/data/data_path.h"
+#include "vo/io/config.h"
+
+namespace corvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr int kBadInput = 1;
+constexpr int kNeverInitialized = 2;
+
+class NamedCamera : public testing::Test {
+ protected:
+  NamedCamera() { WriteFolder(images_, 3); }
+
+  RunInputs InputsWith(const std::string& text) {
+    WriteText(folder_ / "calibration", text);
+    arguments_.input = images_;
+    arguments_.output = folder_ / "result";
+    if (arguments_.camera.empty()) arguments_.camera = folder_ / "calibration";
+    return ReadInputs(arguments_, Interruption());
+  }
+
+  CommandResult RunWith(const std::string& camera) const {
+    return RunCorvo({"run", images_, "--camera", camera, "-o", folder_ / "result"});
+  }
+
+  TempFolder folder_;
+  const fs::path images_ = folder_ / "images";
+  RunArguments arguments_;
+};
+
+TEST_F(NamedCamera, WithoutASizeHasThatOfTheImages) {
+  const CameraParameters camera = InputsWith("80 81 47 31\n").camera.given;
+  EXPECT_EQ(camera.width, kTinyWidth);
+  EXPECT_EQ(camera.height, kTinyHeight);
+  EXPECT_EQ(camera.fx, 80);
+}
+
+TEST_F(NamedCamera, WithoutASizeIsThatOfTheImagesBeforeTheyAreResized) {
+  arguments_.resize = "0.5";
+  const CameraParameters camera = InputsWith("80 81 47 31\n").camera.given;
+  EXPECT_EQ(camera.width, kTinyWidth / 2);
+  EXPECT_EQ(camera.fx, 40);
+  EXPECT_EQ(camera.cx, 23.25);  // (47 + 0.5) / 2 - 0.5
+}
+
+TEST_F(NamedCamera, GivesTheFrameRateOfImagesWithoutTimestamps) {
+  const std::string settings =
+      "%YAML:1.0\nCamera.fx: 80\nCamera.fy: 81\nCamera.cx: 47\nCamera.cy: 31\nCamera.fps: 5\n";
+  EXPECT_EQ(InputsWith(settings).source.list().images.at(1).time_ns, 200'000'000);
+}
+
+TEST_F(NamedCamera, OfOtherSizeThanTheImagesIsAnError) {
+  EXPECT_THAT(ErrorOf([&] { InputsWith("1 PINHOLE 640 480 520 510 320 240\n"); }),
+              AllOf(HasSubstr("96 x 64 px"), HasSubstr("640 x 480 px")));
+}
+
+TEST_F(NamedCamera, IsTheFirstOrTheNamedOneOfAFile) {
+  WriteText(folder_ / "cameras.txt",
+            "1 PINHOLE 96 64 80 81 47.5 31.5\n2 PINHOLE 96 64 90 91 47.5 31.5\n");
+  const std::string file = folder_ / "cameras.txt";
+  const auto summary = [&] {
+    return nlohmann::json::parse(ReadText(folder_ / "result/summary.json"));
+  };
+  const CommandResult first = RunWith(file);
+  EXPECT_EQ(first.exit_code, kNeverInitialized) << first.err;
+  EXPECT_THAT(first.out + first.err, HasSubstr("the first of 2 cameras, 1, is used"));
+  EXPECT_EQ(summary()["camera"]["fx"], 80.0);
+  const CommandResult second = RunWith(file + ":2");
+  EXPECT_EQ(second.exit_code, kNeverInitialized) << second.err;
+  EXPECT_THAT(second.out + second.err, Not(HasSubstr("is used")));
+  EXPECT_EQ(summary()["camera"]["fx"], 90.0);
+  EXPECT_THAT(RunWith(file + ":3").err, HasSubstr("holds no camera 3; it holds 1, 2"));
+}
+
+TEST_F(NamedCamera, MayBeShippedWithCorvo) {
+  for (int i = 0; i < 3; ++i) {
+    WriteImage(images_ / (std::to_string(i) + ".png"), TinyImage(i, 640, 480));
+  }
+  for (const std::string name : {"tum_fr1", "tum_fr1.yaml"}) {
+    const CommandResult result = RunWith(name);
+    EXPECT_EQ(result.exit_code, kNeverInitialized) << result.err;
+    const nlohmann::json summary = nlohmann::json::parse(ReadText(folder_ / "result/summary.json"));
+    EXPECT_EQ(summary["camera"]["fx"],
+              ReadCameraFile(SourceDir() / "configs/tum_fr1.yaml").camera.fx());
+  }
+}
+
+TEST_F(NamedCamera, OfUnknownNameIsAnErrorThatListsTheShippedOnes) {
+  const CommandResult result = RunWith("tum_fr9");
+  EXPECT_EQ(result.exit_code, kBadInput);
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("tum_fr9: there is no such file"), HasSubstr("7scenes, euroc"),
+                    HasSubstr("tum_fr1, tum_fr2, tum_fr3"), Not(HasSubstr("default"))));
+  EXPECT_THAT(RunWith("missing.yaml").err, HasSubstr("missing.yaml: cannot be read"));
+  EXPECT_THAT(RunWith((folder_ / "missing").string()).err, HasSubstr("missing: cannot be read"));
+}
+
+TEST_F(NamedCamera, OfAFileIsPreferredToAShippedOne) {
+  const fs::path here = fs::current_path();
+  fs::current_path(folder_.path());
+  WriteText(fs::path(".") / "tum_fr1", "80 81 47 31\n");
+  const CommandResult result = RunWith("tum_fr1");
+  fs::current_path(here);
+  EXPECT_EQ(result.exit_code, kNeverInitialized) << result.err;
+}
+
+TEST_F(NamedCamera, OfSyntheticImagesNeedsASize) {
+  const auto synth = [&](const std::string& camera) {
+    return RunCorvo({"synth", "wall", "-o", folder_ / "out", "--frames", "1", "--camera", camera});
+  };
+  WriteText(folder_ / "droid.txt", "80 81 47 31\n");
+  EXPECT_THAT(synth(folder_ / "droid.txt").err, HasSubstr("droid.txt: states no image size"));
+  WriteText(folder_ / "cameras.txt", "1 PINHOLE 96 64 80 81 47.5 31.5\n");
+  const CommandResult result = synth(folder_ / "cameras.txt");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(ReadCameraFile(folder_ / "out/camera.yaml").camera.fx(), 80);
+}
+
+TEST(Datasets, ShipCalibrationsInAnyForm) {
+  const TempFolder folder;
+  WriteKitti(folder.path(), 2);
+  WriteText(folder / "calib.txt",
+            "P0: 80 0 47 0 0 81 31 0 0 0 1 0\nP2: 90 0 47 0 0 91 31 0 0 0 1 0\n");
+  EXPECT_EQ(ListImages(folder.path(), 30).camera->fx, 80);
+  fs::rename(folder / "image_0", folder / "image_2");
+  EXPECT_EQ(ListImages(folder.path(), 30).camera->fx, 90);
+  const TempFolder euroc;
+  WriteEuroc(euroc / "mav0", 2);
+  WriteText(euroc / "mav0/cam0/sensor.yaml",
+            "%YAML:1.0\nCamera.fx: 80\nCamera.fy: 81\nCamera.cx: 47\nCamera.cy: 31\n");
+  const CameraParameters camera = *ListImages(euroc.path(), 30).camera;
+  EXPECT_EQ(camera.fx, 80);
+  EXPECT_EQ(camera.width, kTinyWidth);
+}
+
+}  // namespace
+}  // namespace corvo::test
