@@ -510,13 +510,13 @@ TEST(CalibrationFiles, AreBounded) {
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_THAT(ErrorFor("<opencv_storage>" + deep), HasSubstr("too deeply nested"));
   std::string many = "<opencv_storage>";
-  for (int i = 0; i < 100000; ++i) many += "<a/>";
+  for (int i = 0; i < 200000; ++i) many += "<a/>";
   EXPECT_THAT(ErrorFor(many), HasSubstr("too many"));
   std::string lists = "{\"fx\": ";
   EXPECT_THAT(ErrorFor(lists + std::string(50000, '[') + std::string(50000, ']') + "}"),
               HasSubstr("too many or too deeply nested"));
   std::string values = "{\"fx\": [0";
-  for (int i = 0; i < 100000; ++i) values += ",0";
+  for (int i = 0; i < 200000; ++i) values += ",0";
   EXPECT_THAT(ErrorFor(values + "]}"), HasSubstr("too many"));
   EXPECT_THAT(ErrorFor("fx: 1 #" + std::string(2 << 20, 'x')), HasSubstr("1048576"));
   EXPECT_THAT(ErrorFor(std::string(17 << 20, '\0')), HasSubstr("16777216"));

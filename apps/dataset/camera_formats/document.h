@@ -31,7 +31,7 @@ YAML::Node ParseJson(std::string_view text, const std::filesystem::path& file);
 
 /// The largest number of values, lists and mappings in JSON, and of elements in XML. More is an
 /// error: a camera has few.
-inline constexpr int kMaxDocumentNodes = 10000;
+inline constexpr int kMaxDocumentNodes = 100'000;
 /// The deepest nesting of them.
 inline constexpr int kMaxDocumentDepth = 16;
 

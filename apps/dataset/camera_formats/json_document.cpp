@@ -9,52 +9,56 @@ namespace corvo {
 namespace {
 
 using nlohmann::json;
+using Event = json::parse_event_t;
 
-/// Makes YAML's nodes from those of JSON.
-class Converter {
+/// Decides while JSON is parsed what of it is kept: all but the poses of a reconstruction, which
+/// may be large and are not needed. Throws corvo::Error if it is more than a camera has.
+class JsonFilter {
  public:
-  explicit Converter(std::string where) : where_(std::move(where)) {}
+  explicit JsonFilter(const std::filesystem::path& file) : file_(file) {}
 
-  YAML::Node Convert(const json& value, int depth = 0) {
-    if (++num_nodes_ > kMaxDocumentNodes || depth > kMaxDocumentDepth) {
-      throw Error(where_ + "holds more than a camera: too many or too deeply nested values");
+  bool Keep(int depth, Event event, const json& parsed) {
+    if (event == Event::key && depth == 1) is_in_frames_ = parsed == "frames";
+    if (!is_in_frames_) ++num_values_;
+    if (num_values_ > kMaxDocumentNodes || depth > kMaxDocumentDepth) {
+      throw Error(fmt::format("{}: holds more than a camera: too many or too deeply nested values",
+                              file_.string()));
     }
-    if (value.is_object()) return ConvertObject(value, depth);
-    if (value.is_array()) return ConvertArray(value, depth);
-    if (value.is_null()) return YAML::Node(YAML::NodeType::Null);
-    if (value.is_string()) return YAML::Node(value.get<std::string>());
-    return YAML::Node(value.dump());
+    const bool is_root = depth == 0;
+    return is_root || !is_in_frames_;
   }
 
  private:
-  YAML::Node ConvertObject(const json& object, int depth) {
-    YAML::Node map(YAML::NodeType::Map);
-    for (const auto& [key, value] : object.items()) {
-      map.force_insert(key, Convert(value, depth + 1));
-    }
-    return map;
-  }
-
-  YAML::Node ConvertArray(const json& array, int depth) {
-    YAML::Node list(YAML::NodeType::Sequence);
-    for (const json& value : array) list.push_back(Convert(value, depth + 1));
-    return list;
-  }
-
-  std::string where_;
-  int num_nodes_ = 0;
+  std::filesystem::path file_;
+  int num_values_ = 0;
+  bool is_in_frames_ = false;  ///< Whether the current key of the top level is "frames".
 };
+
+/// Makes YAML's nodes from those of JSON.
+YAML::Node Convert(const json& value) {
+  if (value.is_null()) return YAML::Node(YAML::NodeType::Null);
+  if (value.is_string()) return YAML::Node(value.get<std::string>());
+  if (!value.is_structured()) return YAML::Node(value.dump());
+  YAML::Node node(value.is_object() ? YAML::NodeType::Map : YAML::NodeType::Sequence);
+  for (const auto& [key, child] : value.items()) {
+    if (value.is_object()) {
+      node.force_insert(key, Convert(child));
+    } else {
+      node.push_back(Convert(child));
+    }
+  }
+  return node;
+}
 
 }  // namespace
 
 YAML::Node ParseJson(std::string_view text, const std::filesystem::path& file) {
-  // The poses of a reconstruction may be large, and are not needed.
-  const auto is_kept = [](int depth, json::parse_event_t event, const json& parsed) {
-    return depth != 1 || event != json::parse_event_t::key || parsed != "frames";
+  JsonFilter filter(file);
+  const auto keep = [&filter](int depth, Event event, const json& parsed) {
+    return filter.Keep(depth, event, parsed);
   };
-  const json root = json::parse(text, is_kept, false);
-  if (root.is_discarded()) return YAML::Node(YAML::NodeType::Undefined);
-  return Converter(fmt::format("{}: ", file.string())).Convert(root);
+  const json root = json::parse(text, keep, false);
+  return root.is_discarded() ? YAML::Node(YAML::NodeType::Undefined) : Convert(root);
 }
 
 }  // namespace corvo
