@@ -38,5 +38,6 @@ endif()
 
 if(TARGET corvo)
   install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS corvo_codecs_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/corvo)
   install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/corvo)
 endif()

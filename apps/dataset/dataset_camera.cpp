@@ -2,7 +2,7 @@
 #include "apps/dataset/dataset_camera.h"
 
 #include "apps/dataset/camera_formats/calibration_file.h"
-#include "apps/dataset/image_reader.h"
+#include "apps/dataset/image_header.h"
 
 namespace corvo {
 
@@ -10,8 +10,9 @@ CameraParameters ReadDatasetCamera(const std::filesystem::path& file, const std:
                                    const std::filesystem::path& first_image) {
   const StatedCamera stated = ReadCalibrationFile(file, name).camera;
   if (stated.has_size()) return stated.parameters;
-  const cv::Mat image = ReadGrayImage(first_image);
-  return stated.ForImages(image.cols, image.rows).camera.parameters();
+  const ImageHeader image = ReadImageHeader(first_image);
+  return stated.ForImages(static_cast<int>(image.width), static_cast<int>(image.height))
+      .camera.parameters();
 }
 
 }  // namespace corvo

@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/output/decoder_messages.h"
@@ -73,15 +74,9 @@ bool TellsOfDamage(const std::string& complaint) {
 
 cv::Mat Decode(const std::string& bytes, int flags, std::string& complaint) {
   if (bytes.empty() || IsTruncatedJpeg(bytes) || IsTruncatedPng(bytes)) return {};
+  const Codecs& codecs = GetCodecs();
   DecoderMessages messages;
-  cv::Mat image;
-  try {
-    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
-                         const_cast<char*>(bytes.data()));
-    image = cv::imdecode(buffer, flags | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
+  const cv::Mat image = codecs.DecodeImage(bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
   complaint = messages.Take();
   if (TellsOfDamage(complaint)) return {};
   return image;

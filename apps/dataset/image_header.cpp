@@ -5,6 +5,11 @@
 #include <charconv>
 #include <cstddef>
 
+#include <fmt/format.h>
+
+#include "orb/error.h"
+#include "vo/io/file_bytes.h"
+
 namespace corvo {
 namespace {
 
@@ -169,6 +174,17 @@ std::optional<ImageHeader> ParseImageHeader(std::string_view bytes) {
   const ImageHeader header = Parse(bytes);
   if (header.width <= 0 || header.height <= 0) return std::nullopt;
   return header;
+}
+
+ImageHeader ReadImageHeader(const std::filesystem::path& file) {
+  const auto header = ParseImageHeader(ReadFileBytes(file, kMaxImageBytes));
+  if (!header) {
+    throw Error(fmt::format("{}: no header of a png, jpg, bmp, pnm, tif or webp image was found",
+                            file.string()));
+  }
+  CheckRange(file.string() + ": number of pixels", header->num_pixels(), std::int64_t{1},
+             kMaxImagePixels);
+  return *header;
 }
 
 }  // namespace corvo

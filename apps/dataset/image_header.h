@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -22,5 +23,9 @@ struct ImageHeader {
 /// Parses the header of a PNG, JPEG, BMP, PNM, TIFF or WebP image without decoding it. Returns
 /// std::nullopt for any other format and if the size is not found.
 std::optional<ImageHeader> ParseImageHeader(std::string_view bytes);
+
+/// Parses the header of an image file. Throws corvo::Error if the file cannot be read, is none of
+/// these formats, or is larger than kMaxImagePixels.
+ImageHeader ReadImageHeader(const std::filesystem::path& file);
 
 }  // namespace corvo

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include <fmt/format.h>
 
+#include "apps/dataset/dataset_camera.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/kitti_raw_times.h"
 #include "orb/error.h"
@@ -11,9 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kImages = "data";
+constexpr std::string_view kPrefix = "image_";
 
 bool IsCameraFolder(const fs::path& folder) {
-  return fs::is_directory(folder / kImages) && fs::exists(folder / kKittiRawTimes);
+  return folder.filename().string().starts_with(kPrefix) && fs::is_directory(folder / kImages) &&
+         fs::exists(folder / kKittiRawTimes);
 }
 
 /// Returns the folder of a camera, or an empty path. `input` is the drive, that folder, or the
@@ -26,7 +33,18 @@ fs::path CameraFolder(const fs::path& input) {
   for (const char* name : {"image_00", "image_02", "image_01", "image_03"}) {
     if (IsCameraFolder(absolute / name)) return absolute / name;
   }
-  return IsCameraFolder(absolute) && absolute.filename() != "oxts" ? absolute : fs::path();
+  return IsCameraFolder(absolute) ? absolute : fs::path();
+}
+
+/// Returns the camera of a folder, from the calibration beside its drive; std::nullopt if there is
+/// none. The images of synchronized drives are rectified, those of extracted ones are not.
+std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::path& first_image) {
+  const fs::path drive = folder.parent_path();
+  const fs::path file = drive.parent_path() / "calib_cam_to_cam.txt";
+  if (!fs::exists(file)) return std::nullopt;
+  const bool is_raw = drive.filename().string().ends_with("_extract");
+  const std::string number = folder.filename().string().substr(kPrefix.size());
+  return ReadDatasetCamera(file, (is_raw ? "K_" : "P_rect_") + number, first_image);
 }
 
 }  // namespace
@@ -44,6 +62,7 @@ ImageList ListKittiRawImages(const fs::path& input) {
   }
   ImageList list{"kitti-raw", {}, {}};
   for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], times[i]});
+  if (!files.empty()) list.camera = FindCamera(folder, files.front());
   return list;
 }
 

@@ -3,34 +3,38 @@
 
 #include <string_view>
 
+#include <opencv2/videoio.hpp>
+
 #include "apps/dataset/image_header.h"
 
 namespace corvo {
 
 namespace {
 
-/// Returns an unopened capture on errors.
-cv::VideoCapture OpenPackets(const std::filesystem::path& file) {
-  try {
-    return cv::VideoCapture(file.string(), cv::CAP_FFMPEG, {cv::CAP_PROP_FORMAT, -1});
-  } catch (const cv::Exception&) {
-    return {};
-  }
+/// Returns null on errors.
+std::unique_ptr<VideoInput> OpenPackets(const std::filesystem::path& file) {
+  return GetCodecs().OpenVideo(file.string(), {cv::CAP_PROP_FORMAT, -1});
+}
+
+/// Returns whether there is a next packet.
+bool Read(VideoInput& packets, cv::Mat& packet) {
+  return packets.Grab() && packets.Retrieve(packet) && !packet.empty();
 }
 
 }  // namespace
 
 PacketSizes::PacketSizes(const std::filesystem::path& file) : packets_(OpenPackets(file)) {
+  if (!packets_) return;
   cv::Mat packet;
-  const bool is_jpeg = packets_.read(packet) && packet.isContinuous() && packet.total() > 2 &&
+  const bool is_jpeg = Read(*packets_, packet) && packet.isContinuous() && packet.total() > 2 &&
                        packet.data[0] == 0xFF && packet.data[1] == 0xD8;
-  packets_.release();
+  packets_.reset();
   if (is_jpeg) packets_ = OpenPackets(file);  // At the first packet again.
 }
 
 std::optional<cv::Size> PacketSizes::Next() {
   cv::Mat packet;
-  if (!packets_.isOpened() || !packets_.read(packet) || packet.empty()) return std::nullopt;
+  if (!packets_ || !Read(*packets_, packet)) return std::nullopt;
   const auto header = ParseImageHeader(
       std::string_view(reinterpret_cast<const char*>(packet.data), packet.total()));
   if (!header) return std::nullopt;

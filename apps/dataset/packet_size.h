@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <opencv2/core/types.hpp>
-#include <opencv2/videoio.hpp>
+
+#include "apps/codecs/codecs.h"
 
 namespace corvo {
 
@@ -21,7 +23,7 @@ class PacketSizes {
   std::optional<cv::Size> Next();
 
  private:
-  cv::VideoCapture packets_;
+  std::unique_ptr<VideoInput> packets_;  ///< Null if the video is not Motion JPEG.
 };
 
 }  // namespace corvo

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/packet_size.h"
@@ -25,8 +27,8 @@ constexpr int kMaxDamagedInARow = 1000;
 /// The base of video and camera readers. Frames are grabbed in order, and decoded only by Read().
 class CaptureReader : public ImageReader {
  public:
-  CaptureReader(const cv::VideoCapture& capture, std::string name)
-      : capture_(capture), name_(std::move(name)) {}
+  CaptureReader(std::unique_ptr<VideoInput> input, std::string name)
+      : input_(std::move(input)), name_(std::move(name)) {}
 
   std::optional<TimedImage> Read() override {
     if (!Skip()) return std::nullopt;
@@ -56,17 +58,19 @@ class CaptureReader : public ImageReader {
     frames_.num_damaged += num_damaged;
     ++frames_.num_read;
     index_ += num_damaged + 1;
-    time_ns_ = TimeOfGrabbed(capture_, index_, time_ns_);
+    time_ns_ = TimeOfGrabbed(*input_, index_, time_ns_);
     return true;
   }
 
  protected:
+  const VideoInput& input() const { return *input_; }
+
   VideoFrames frames_;
 
  private:
   bool Grab() {
     DecoderMessages messages;
-    const bool is_grabbed = capture_.grab();
+    const bool is_grabbed = input_->Grab();
     has_other_size_ = HasOtherSize();
     KeepComplaint(messages.Take());
     return is_grabbed;
@@ -79,7 +83,7 @@ class CaptureReader : public ImageReader {
     std::string complaint;
     {
       DecoderMessages messages;
-      is_retrieved = capture_.retrieve(image);
+      is_retrieved = input_->Retrieve(image);
       complaint = messages.Take();
     }
     // FFmpeg's scaler says so of an image that is higher than the first.
@@ -98,7 +102,7 @@ class CaptureReader : public ImageReader {
 
   /// Returns the timestamp of the grabbed frame. `before` is the timestamp of the previous frame;
   /// it is ignored for the first.
-  virtual TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) = 0;
+  virtual TimeNs TimeOfGrabbed(const VideoInput& input, int index, TimeNs before) = 0;
   /// Returns whether the last frames are missing. `has_errors` tells whether the decoder
   /// complained.
   virtual bool IsCutOff(const VideoFrames&, bool /*has_errors*/) const { return false; }
@@ -107,7 +111,7 @@ class CaptureReader : public ImageReader {
   /// Returns a copy of an image, turned as it was taken.
   virtual cv::Mat Upright(const cv::Mat& image) const { return image.clone(); }
 
-  cv::VideoCapture capture_;
+  std::unique_ptr<VideoInput> input_;
   std::string name_;
   std::string complaint_;        ///< The first message of the decoder.
   bool has_complained_ = false;  ///< Whether it was logged.
@@ -117,8 +121,8 @@ class CaptureReader : public ImageReader {
 };
 
 /// Returns by how much the container says that images are to be turned clockwise.
-int ClockwiseDegrees(const cv::VideoCapture& capture) {
-  const int said = static_cast<int>(capture.get(cv::CAP_PROP_ORIENTATION_META));
+int ClockwiseDegrees(const VideoInput& input) {
+  const int said = static_cast<int>(input.Get(cv::CAP_PROP_ORIENTATION_META));
   // OpenCV 4.6 counts counterclockwise (issue 22088 of OpenCV), earlier and later ones clockwise.
   const bool is_opposite = cv::getVersionMajor() == 4 && cv::getVersionMinor() == 6;
   return is_opposite ? (360 - said) % 360 : said;
@@ -126,25 +130,25 @@ int ClockwiseDegrees(const cv::VideoCapture& capture) {
 
 class VideoReader : public CaptureReader {
  public:
-  VideoReader(const cv::VideoCapture& capture, const fs::path& file,
+  VideoReader(std::unique_ptr<VideoInput> opened, const fs::path& file,
               std::optional<double> frame_rate_hz)
-      : CaptureReader(capture, file.string()),
+      : CaptureReader(std::move(opened), file.string()),
         packets_(file),
-        size_(static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
-              static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT))),
+        size_(static_cast<int>(input().Get(cv::CAP_PROP_FRAME_WIDTH)),
+              static_cast<int>(input().Get(cv::CAP_PROP_FRAME_HEIGHT))),
         frame_rate_hz_(frame_rate_hz),
-        clockwise_deg_(ClockwiseDegrees(capture)) {
+        clockwise_deg_(ClockwiseDegrees(input())) {
     constexpr double kMaxFrames = 1e9;
     frames_.num_promised =
-        static_cast<int>(std::clamp(capture.get(cv::CAP_PROP_FRAME_COUNT), 0.0, kMaxFrames));
-    const double said_hz = capture.get(cv::CAP_PROP_FPS);
+        static_cast<int>(std::clamp(input().Get(cv::CAP_PROP_FRAME_COUNT), 0.0, kMaxFrames));
+    const double said_hz = input().Get(cv::CAP_PROP_FPS);
     const bool is_plausible = said_hz >= 1e-3 && said_hz <= 1e6;
     frame_ns_ = std::llround(1e9 / (is_plausible ? said_hz : kDefaultFrameRateHz));
   }
 
  private:
-  TimeNs TimeOfGrabbed(cv::VideoCapture& capture, int index, TimeNs before) override {
-    const double said_ms = capture.get(cv::CAP_PROP_POS_MSEC);
+  TimeNs TimeOfGrabbed(const VideoInput& input, int index, TimeNs before) override {
+    const double said_ms = input.Get(cv::CAP_PROP_POS_MSEC);
     const TimeNs time_ns = std::isfinite(said_ms) ? std::llround(1e6 * said_ms) : 0;
     last_ns_ = std::max(last_ns_, time_ns);
     if (frame_rate_hz_) return std::llround(1e9 * index / *frame_rate_hz_);
@@ -200,7 +204,7 @@ class CameraReader : public CaptureReader {
   using CaptureReader::CaptureReader;
 
  private:
-  TimeNs TimeOfGrabbed(cv::VideoCapture&, int index, TimeNs before) override {
+  TimeNs TimeOfGrabbed(const VideoInput&, int index, TimeNs before) override {
     const TimeNs time_ns = std::chrono::nanoseconds(Clock::now() - opened_).count();
     return index == 0 ? time_ns : std::max(time_ns, before + 1);
   }
@@ -209,39 +213,27 @@ class CameraReader : public CaptureReader {
   Clock::time_point opened_ = Clock::now();
 };
 
-/// Opens a capture with a fixed backend, so that timestamps and colors do not depend on the
-/// installed backends. Returns an unopened capture on errors.
-template <typename Source>
-cv::VideoCapture OpenCapture(const Source& source, int backend) {
-  try {
-    return cv::VideoCapture(source, backend);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   DecoderMessages messages;
-  cv::VideoCapture capture = OpenCapture(file.string(), cv::CAP_FFMPEG);
-  capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);  // Its default depends on the version.
-  if (!capture.isOpened()) {
+  std::unique_ptr<VideoInput> input = GetCodecs().OpenVideo(file.string(), {});
+  if (!input) {
     const std::string complaint = messages.Take();
     throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded{}",
                             file.string(), complaint.empty() ? "" : " (" + complaint + ")"));
   }
   CheckRange(file.string() + ": number of pixels",
-             capture.get(cv::CAP_PROP_FRAME_WIDTH) * capture.get(cv::CAP_PROP_FRAME_HEIGHT), 0.0,
+             input->Get(cv::CAP_PROP_FRAME_WIDTH) * input->Get(cv::CAP_PROP_FRAME_HEIGHT), 0.0,
              static_cast<double>(kMaxImagePixels));
-  return std::make_unique<VideoReader>(capture, file, frame_rate_hz);
+  return std::make_unique<VideoReader>(std::move(input), file, frame_rate_hz);
 }
 
 std::unique_ptr<ImageReader> OpenCamera(int device) {
   const std::string name = fmt::format("camera:{}", device);
-  const cv::VideoCapture capture = OpenCapture(device, cv::CAP_V4L2);
-  if (!capture.isOpened()) throw Error(fmt::format("{}: there is no such camera", name));
-  return std::make_unique<CameraReader>(capture, name);
+  std::unique_ptr<VideoInput> input = GetCodecs().OpenCamera(device);
+  if (!input) throw Error(fmt::format("{}: there is no such camera", name));
+  return std::make_unique<CameraReader>(std::move(input), name);
 }
 
 }  // namespace corvo

@@ -6,10 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "apps/output/decoder_messages.h"
 #include "orb/error.h"
@@ -28,24 +30,28 @@ std::string LowerExtension(const fs::path& file) {
   return extension;
 }
 
-/// Opens a film. Both encoders are parts of OpenCV and FFmpeg under their own, permissive or LGPL
-/// licenses, unlike x264.
-cv::VideoWriter Open(const fs::path& file, double frame_rate_hz, const cv::Size& size) {
+/// Returns the number that stands for a name of four characters.
+int CodecOf(std::string_view name) {
+  int code = 0;
+  for (std::size_t i = 0; i < 4; ++i) code |= static_cast<unsigned char>(name[i]) << (8 * i);
+  return code;
+}
+
+/// Opens a film; returns null on errors. Both encoders are parts of OpenCV and FFmpeg under their
+/// own, permissive or LGPL licenses, unlike x264.
+std::unique_ptr<VideoOutput> Open(const fs::path& file, double frame_rate_hz,
+                                  const cv::Size& size) {
   const bool is_avi = LowerExtension(file) == ".avi";
-  const int codec = is_avi ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G')
-                           : cv::VideoWriter::fourcc('m', 'p', '4', 'v');
+  const VideoFormat format{is_avi ? cv::CAP_OPENCV_MJPEG : cv::CAP_FFMPEG,
+                           is_avi ? CodecOf("MJPG") : CodecOf("mp4v"), frame_rate_hz, size};
+  const Codecs& codecs = GetCodecs();
   const DecoderMessages messages;
-  try {
-    return {file.string(), is_avi ? cv::CAP_OPENCV_MJPEG : cv::CAP_FFMPEG, codec, frame_rate_hz,
-            size};
-  } catch (const cv::Exception&) {
-    return {};
-  }
+  return codecs.CreateVideo(file.string(), format);
 }
 
 /// Throws corvo::Error if OpenCV has no encoder for the file, which need not exist.
 void CheckEncoder(const fs::path& staged, const fs::path& file) {
-  const bool is_opened = Open(staged, 30, {64, 64}).isOpened();
+  const bool is_opened = Open(staged, 30, {64, 64}) != nullptr;
   std::error_code ignored;
   fs::remove(staged, ignored);
   if (is_opened) return;
@@ -59,8 +65,8 @@ void CheckEncoder(const fs::path& staged, const fs::path& file) {
 /// of writing.
 bool IsWhole(const fs::path& file, int num_images) {
   const DecoderMessages messages;
-  cv::VideoCapture capture(file.string(), cv::CAP_FFMPEG);
-  return capture.isOpened() && std::lround(capture.get(cv::CAP_PROP_FRAME_COUNT)) >= num_images;
+  const std::unique_ptr<VideoInput> film = GetCodecs().OpenVideo(file.string(), {});
+  return film && std::lround(film->Get(cv::CAP_PROP_FRAME_COUNT)) >= num_images;
 }
 
 /// Returns the image with an even number of rows and columns, which MPEG-4 needs.
@@ -108,7 +114,7 @@ Film::Film(const fs::path& file, bool replaces_foreign)
 }
 
 void Film::Add(const cv::Mat& drawing, const FrameResult& frame) {
-  if (writer_.isOpened()) {
+  if (writer_) {
     Write(drawing);
     return;
   }
@@ -120,13 +126,13 @@ void Film::Start() {
   std::vector<TimeNs> times;
   for (const auto& [time_ns, drawing] : waiting_) times.push_back(time_ns);
   writer_ = Open(staged_, FilmFrameRate(times), WithEvenSize(waiting_.front().second).size());
-  if (!writer_.isOpened()) throw Error(fmt::format("{}: cannot be written", file_.string()));
+  if (!writer_) throw Error(fmt::format("{}: cannot be written", file_.string()));
   for (const auto& [time_ns, drawing] : waiting_) Write(drawing);
   waiting_.clear();
 }
 
 void Film::Write(const cv::Mat& drawing) {
-  writer_.write(WithEvenSize(drawing));
+  writer_->Write(WithEvenSize(drawing));
   ++num_written_;
 }
 
@@ -135,7 +141,7 @@ void Film::Finish(bool is_complete) {
   if (num_written_ == 0) return;
   {
     const DecoderMessages messages;
-    writer_.release();
+    writer_.reset();
   }
   if (!is_complete && output_.HoldsCompleteResult()) {
     spdlog::warn("{} was not replaced: it shows a complete run", file_.string());

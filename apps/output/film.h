@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
-#include <opencv2/videoio.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "apps/output/drawing_sink.h"
 #include "apps/output/output_folder.h"
 
@@ -43,7 +44,7 @@ class Film : public DrawingSink {
   std::filesystem::path file_;
   OutputFolder output_;
   std::filesystem::path staged_;
-  cv::VideoWriter writer_;
+  std::unique_ptr<VideoOutput> writer_;
   std::vector<std::pair<TimeNs, cv::Mat>> waiting_;
   int num_written_ = 0;
 };

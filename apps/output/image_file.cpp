@@ -4,15 +4,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "orb/error.h"
 
 namespace corvo {
 
 std::string EncodeImage(const cv::Mat& image, const std::string& extension) {
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(extension, image, bytes)) {
+  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(extension, image, {});
+  if (bytes.empty()) {
     throw Error(fmt::format("an image cannot be encoded as {}", extension));
   }
   return {bytes.begin(), bytes.end()};

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "apps/synthetic/euroc_layout.h"
 #include "apps/synthetic/files.h"
 #include "orb/error.h"
@@ -29,10 +29,8 @@ constexpr std::int64_t kMaxPixels = 100'000'000;
 
 void WriteImage(const fs::path& file, const cv::Mat& image) {
   // Unlike cv::imwrite(), WriteText() notices a full disk.
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(".png", image, bytes)) {
-    throw Error(fmt::format("{}: cannot be encoded", file.string()));
-  }
+  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(".png", image, {});
+  if (bytes.empty()) throw Error(fmt::format("{}: cannot be encoded", file.string()));
   WriteText(file, {bytes.begin(), bytes.end()});
 }
 

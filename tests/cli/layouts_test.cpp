@@ -135,6 +135,11 @@ TEST_F(Layouts, RawKittiHasDatesAsTimes) {
     EXPECT_EQ(list.layout, "kitti-raw") << input;
     EXPECT_THAT(TimesOf(list), ElementsAre(1317042145964389445, 1317042146067749888));
   }
+  EXPECT_FALSE(ListImages(Folder() / drive).camera);
+  WriteText(folder_ / "2011_09_26/calib_cam_to_cam.txt",
+            "calib_time: 09-Jan-2012 13:57:47\nS_rect_02: 96 64\n"
+            "P_rect_02: 80 0 47.5 0 0 81 31.5 0 0 0 1 0\n");
+  EXPECT_EQ(ListImages(Folder() / drive).camera.value().fx, 80);
   WriteText(times, "2011-09-26 13:02:25.9\n2011-13-26 13:02:26.0\n");
   EXPECT_THAT(ErrorOfListing(Folder() / drive), HasSubstr("timestamps.txt:2: '2011-13-26"));
   WriteText(times, "2011-09-26 13:02:25.9\n");

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "apps/codecs/opencv_codecs.h"
+
+#include <utility>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+namespace corvo {
+namespace {
+
+class CaptureInput : public VideoInput {
+ public:
+  explicit CaptureInput(cv::VideoCapture capture) : capture_(std::move(capture)) {}
+
+  bool Grab() override { return capture_.grab(); }
+  bool Retrieve(cv::Mat& image) override { return capture_.retrieve(image); }
+  double Get(int property) const override { return capture_.get(property); }
+
+ private:
+  cv::VideoCapture capture_;
+};
+
+class WriterOutput : public VideoOutput {
+ public:
+  explicit WriterOutput(cv::VideoWriter writer) : writer_(std::move(writer)) {}
+
+  void Write(const cv::Mat& image) override { writer_.write(image); }
+
+ private:
+  cv::VideoWriter writer_;
+};
+
+std::unique_ptr<VideoInput> ToInput(cv::VideoCapture capture) {
+  if (!capture.isOpened()) return nullptr;
+  return std::make_unique<CaptureInput>(std::move(capture));
+}
+
+class AllCodecs : public Codecs {
+ public:
+  cv::Mat DecodeImage(const std::string& bytes, int flags) const override {
+    try {
+      const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
+                           const_cast<char*>(bytes.data()));
+      return cv::imdecode(buffer, flags);
+    } catch (const cv::Exception&) {
+      return {};
+    }
+  }
+
+  std::vector<std::uint8_t> EncodeImage(const std::string& extension, const cv::Mat& image,
+                                        const std::vector<int>& parameters) const override {
+    std::vector<std::uint8_t> bytes;
+    try {
+      if (!cv::imencode(extension, image, bytes, parameters)) bytes.clear();
+    } catch (const cv::Exception&) {
+      bytes.clear();
+    }
+    return bytes;
+  }
+
+  /// One backend each for videos and cameras, so that timestamps and colors do not depend on those
+  /// that are installed.
+  std::unique_ptr<VideoInput> OpenVideo(const std::string& file,
+                                        const std::vector<int>& parameters) const override {
+    try {
+      cv::VideoCapture capture(file, cv::CAP_FFMPEG, parameters);
+      capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);  // Its default depends on the version.
+      return ToInput(std::move(capture));
+    } catch (const cv::Exception&) {
+      return nullptr;
+    }
+  }
+
+  std::unique_ptr<VideoInput> OpenCamera(int device) const override {
+    try {
+      return ToInput(cv::VideoCapture(device, cv::CAP_V4L2));
+    } catch (const cv::Exception&) {
+      return nullptr;
+    }
+  }
+
+  std::unique_ptr<VideoOutput> CreateVideo(const std::string& file,
+                                           const VideoFormat& format) const override {
+    try {
+      cv::VideoWriter writer(file, format.backend, format.codec, format.frame_rate_hz, format.size);
+      if (!writer.isOpened()) return nullptr;
+      return std::make_unique<WriterOutput>(std::move(writer));
+    } catch (const cv::Exception&) {
+      return nullptr;
+    }
+  }
+};
+
+}  // namespace
+
+const Codecs& OpenCvCodecs() {
+  static const AllCodecs codecs;
+  return codecs;
+}
+
+}  // namespace corvo
