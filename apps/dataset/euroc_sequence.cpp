@@ -73,9 +73,10 @@ void AddUnlistedImages(const fs::path& folder, ImageList& list) {
 std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::path& first_image) {
   const fs::path sensor = folder / kSensor;
   if (fs::exists(sensor)) return ReadDatasetCamera(sensor, "", first_image);
-  const fs::path root = fs::absolute(folder).lexically_normal().parent_path().parent_path();
-  const fs::path chain = root / "dso" / "camchain.yaml";
-  if (fs::exists(chain)) return ReadDatasetCamera(chain, "cam0", first_image);
+  const fs::path absolute = fs::absolute(folder / "").lexically_normal().parent_path();
+  const fs::path chain = absolute.parent_path().parent_path() / "dso" / "camchain.yaml";
+  const char* const name = absolute.filename() == "cam1" ? "cam1" : "cam0";
+  if (fs::exists(chain)) return ReadDatasetCamera(chain, name, first_image);
   return std::nullopt;
 }
 

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include "apps/dataset/dataset_camera.h"
+#include "apps/dataset/image_header.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/kitti_raw_times.h"
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -36,15 +38,20 @@ fs::path CameraFolder(const fs::path& input) {
   return IsCameraFolder(absolute) ? absolute : fs::path();
 }
 
-/// Returns the camera of a folder, from the calibration beside its drive; std::nullopt if there is
-/// none. The images of synchronized drives are rectified, those of extracted ones are not.
+/// Reads the camera of a folder, rectified or, if only those images have its size, raw. Returns
+/// std::nullopt if there is no calibration beside the drive.
 std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::path& first_image) {
-  const fs::path drive = folder.parent_path();
-  const fs::path file = drive.parent_path() / "calib_cam_to_cam.txt";
+  const fs::path file = folder.parent_path().parent_path() / "calib_cam_to_cam.txt";
   if (!fs::exists(file)) return std::nullopt;
-  const bool is_raw = drive.filename().string().ends_with("_extract");
   const std::string number = folder.filename().string().substr(kPrefix.size());
-  return ReadDatasetCamera(file, (is_raw ? "K_" : "P_rect_") + number, first_image);
+  const CameraParameters rectified = ReadDatasetCamera(file, "P_rect_" + number, first_image);
+  const ImageHeader image = ReadImageHeader(first_image);
+  const auto fits = [&](const CameraParameters& camera) {
+    return camera.width == image.width && camera.height == image.height;
+  };
+  if (fits(rectified)) return rectified;
+  const CameraParameters raw = ReadDatasetCamera(file, "K_" + number, first_image);
+  return fits(raw) ? raw : rectified;
 }
 
 }  // namespace

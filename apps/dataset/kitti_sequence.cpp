@@ -8,7 +8,6 @@
 #include "apps/dataset/image_layouts.h"
 #include "orb/error.h"
 #include "vo/io/decimal_time.h"
-#include "vo/io/file_bytes.h"
 #include "vo/io/text_lines.h"
 
 namespace corvo {

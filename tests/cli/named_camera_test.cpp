@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // These tests cover the values of --camera that are not a camera file of corvo.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/dataset/image_source.h"
 #include "apps/output/interruption.h"
 #include "apps/run/run_inputs.h"
 #include "tests/cli/command.h"
@@ -137,16 +139,55 @@ TEST(Datasets, ShipCalibrationsInAnyForm) {
   WriteKitti(folder.path(), 2);
   WriteText(folder / "calib.txt",
             "P0: 80 0 47 0 0 81 31 0 0 0 1 0\nP2: 90 0 47 0 0 91 31 0 0 0 1 0\n");
-  EXPECT_EQ(ListImages(folder.path(), 30).camera->fx, 80);
+  EXPECT_EQ(ListImages(folder.path()).camera->fx, 80);
   fs::rename(folder / "image_0", folder / "image_2");
-  EXPECT_EQ(ListImages(folder.path(), 30).camera->fx, 90);
+  EXPECT_EQ(ListImages(folder.path()).camera->fx, 90);
   const TempFolder euroc;
   WriteEuroc(euroc / "mav0", 2);
   WriteText(euroc / "mav0/cam0/sensor.yaml",
             "%YAML:1.0\nCamera.fx: 80\nCamera.fy: 81\nCamera.cx: 47\nCamera.cy: 31\n");
-  const CameraParameters camera = *ListImages(euroc.path(), 30).camera;
+  const CameraParameters camera = *ListImages(euroc.path()).camera;
   EXPECT_EQ(camera.fx, 80);
   EXPECT_EQ(camera.width, kTinyWidth);
+}
+
+TEST(Datasets, OfKittiRawHaveTheCameraOfTheFolderAndImageSize) {
+  const TempFolder folder;
+  const fs::path images = folder / "2011_09_26/drive_0001_sync/image_02";
+  WriteText(images / "timestamps.txt", "2011-09-26 13:02:25.9\n2011-09-26 13:02:26.0\n");
+  for (const int i : {0, 1}) WriteImage(images / "data" / fmt::format("{}.png", i), TinyImage(i));
+  EXPECT_FALSE(ListImages(images).camera);
+  const auto calibration = [](const std::string& rectified, const std::string& raw) {
+    return "S_02: " + raw +
+           "\nK_02: 70 0 47 0 71 31 0 0 1\nD_02: -0.3 0.1 0 0 0\nS_rect_00: " + rectified +
+           "\nP_rect_00: 60 0 47 0 0 61 31 0 0 0 1 0\nS_rect_02: " + rectified +
+           "\nP_rect_02: 80 0 47 9 0 81 31 0 0 0 1 0\n";
+  };
+  const fs::path file = folder / "2011_09_26/calib_cam_to_cam.txt";
+  WriteText(file, calibration("96 64", "100 70"));
+  EXPECT_EQ(ListImages(images.parent_path()).camera->fx, 80);
+  EXPECT_EQ(ListImages(images / "data").camera->k1, 0);
+  WriteText(file, calibration("90 60", "96 64"));
+  EXPECT_EQ(ListImages(images).camera->fx, 70);
+  EXPECT_EQ(ListImages(images).camera->k1, -0.3);
+  WriteText(file, calibration("90 60", "100 70"));
+  EXPECT_EQ(ListImages(images).camera->width, 90) << "of other size than the images";
+}
+
+TEST(Datasets, OfTheRightTumViCameraHaveItsCalibration) {
+  const TempFolder folder;
+  WriteEuroc(folder / "mav0", 2);
+  fs::rename(folder / "mav0/cam0", folder / "mav0/cam1");
+  fs::remove(folder / "mav0/cam1/sensor.yaml");
+  std::string chain;
+  for (const int i : {0, 1}) {
+    chain += fmt::format(
+        "cam{}:\n  camera_model: pinhole\n  distortion_model: none\n  distortion_coeffs: []\n"
+        "  intrinsics: [{}, 81, 47, 31]\n  resolution: [96, 64]\n",
+        i, 80 + i);
+  }
+  WriteText(folder / "dso/camchain.yaml", chain);
+  EXPECT_EQ(ListImages(folder.path()).camera->fx, 81);
 }
 
 }  // namespace
