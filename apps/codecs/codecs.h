@@ -48,8 +48,9 @@ class Codecs {
   /// Like cv::imencode(). Returns an empty vector on errors.
   virtual std::vector<std::uint8_t> EncodeImage(const std::string& extension, const cv::Mat& image,
                                                 const std::vector<int>& parameters) const = 0;
-  /// Opens a video; `parameters` are pairs of a property and its value. Returns null on errors.
-  virtual std::unique_ptr<VideoInput> OpenVideo(const std::string& file,
+  /// Opens a video with a backend of OpenCV; `parameters` are pairs of a property and its value.
+  /// Returns null on errors.
+  virtual std::unique_ptr<VideoInput> OpenVideo(const std::string& file, int backend,
                                                 const std::vector<int>& parameters) const = 0;
   /// Opens a connected camera. Returns null on errors.
   virtual std::unique_ptr<VideoInput> OpenCamera(int device) const = 0;

@@ -59,12 +59,10 @@ class AllCodecs : public Codecs {
     return bytes;
   }
 
-  /// One backend each for videos and cameras, so that timestamps and colors do not depend on those
-  /// that are installed.
-  std::unique_ptr<VideoInput> OpenVideo(const std::string& file,
+  std::unique_ptr<VideoInput> OpenVideo(const std::string& file, int backend,
                                         const std::vector<int>& parameters) const override {
     try {
-      cv::VideoCapture capture(file, cv::CAP_FFMPEG, parameters);
+      cv::VideoCapture capture(file, backend, parameters);
       capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);  // Its default depends on the version.
       return ToInput(std::move(capture));
     } catch (const cv::Exception&) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Returns null on errors.
 std::unique_ptr<VideoInput> OpenPackets(const std::filesystem::path& file) {
-  return GetCodecs().OpenVideo(file.string(), {cv::CAP_PROP_FORMAT, -1});
+  return GetCodecs().OpenVideo(file.string(), cv::CAP_FFMPEG, {cv::CAP_PROP_FORMAT, -1});
 }
 
 /// Returns whether there is a next packet.

@@ -217,7 +217,8 @@ class CameraReader : public CaptureReader {
 
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   DecoderMessages messages;
-  std::unique_ptr<VideoInput> input = GetCodecs().OpenVideo(file.string(), {});
+  // One backend, so that timestamps and colors do not depend on those that are installed.
+  std::unique_ptr<VideoInput> input = GetCodecs().OpenVideo(file.string(), cv::CAP_FFMPEG, {});
   if (!input) {
     const std::string complaint = messages.Take();
     throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded{}",

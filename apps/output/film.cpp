@@ -37,16 +37,20 @@ int CodecOf(std::string_view name) {
   return code;
 }
 
+/// Returns OpenCV's own backend for Motion JPEG, or FFmpeg.
+int BackendOf(const fs::path& file) {
+  return LowerExtension(file) == ".avi" ? cv::CAP_OPENCV_MJPEG : cv::CAP_FFMPEG;
+}
+
 /// Opens a film; returns null on errors. Both encoders are parts of OpenCV and FFmpeg under their
 /// own, permissive or LGPL licenses, unlike x264.
 std::unique_ptr<VideoOutput> Open(const fs::path& file, double frame_rate_hz,
                                   const cv::Size& size) {
-  const bool is_avi = LowerExtension(file) == ".avi";
-  const VideoFormat format{is_avi ? cv::CAP_OPENCV_MJPEG : cv::CAP_FFMPEG,
-                           is_avi ? CodecOf("MJPG") : CodecOf("mp4v"), frame_rate_hz, size};
+  const int backend = BackendOf(file);
+  const int codec = CodecOf(backend == cv::CAP_OPENCV_MJPEG ? "MJPG" : "mp4v");
   const Codecs& codecs = GetCodecs();
   const DecoderMessages messages;
-  return codecs.CreateVideo(file.string(), format);
+  return codecs.CreateVideo(file.string(), {backend, codec, frame_rate_hz, size});
 }
 
 /// Throws corvo::Error if OpenCV has no encoder for the file, which need not exist.
@@ -65,7 +69,8 @@ void CheckEncoder(const fs::path& staged, const fs::path& file) {
 /// of writing.
 bool IsWhole(const fs::path& file, int num_images) {
   const DecoderMessages messages;
-  const std::unique_ptr<VideoInput> film = GetCodecs().OpenVideo(file.string(), {});
+  const std::unique_ptr<VideoInput> film =
+      GetCodecs().OpenVideo(file.string(), BackendOf(file), {});
   return film && std::lround(film->Get(cv::CAP_PROP_FRAME_COUNT)) >= num_images;
 }
 
