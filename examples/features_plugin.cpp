@@ -8,8 +8,8 @@
 #include <corvo/orb/extractor.h>
 #include <opencv2/core.hpp>
 
-/// Writes x, y, angle (degrees) and octave of at most `capacity` keypoints of an 8-bit gray image to
-/// `keypoints`, four numbers each, and returns their number, or -1 if the image is invalid.
+/// Writes x, y, angle (degrees) and octave of at most `capacity` keypoints of an 8-bit gray image
+/// to `keypoints`, four numbers each, and returns their number, or -1 if the image is invalid.
 extern "C" int extract_features(const unsigned char* pixels, int width, int height,
                                 std::size_t stride, float* keypoints, int capacity) {
   try {

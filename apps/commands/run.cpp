@@ -26,6 +26,7 @@
 #include "apps/run/run_results.h"
 #include "apps/run/run_summary.h"
 #include "orb/error.h"
+#include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
@@ -78,6 +79,20 @@ void CheckPlot(const RunArguments& arguments) {
                           arguments.plot.string()));
 }
 
+/// Prints what the run has found, and returns its exit code. `folder` has the results.
+int Report(const RunArguments& arguments, const RunSummary& summary,
+           const std::filesystem::path& folder) {
+  if (arguments.json) {
+    fmt::print("{}", ReadFileBytes(folder / "summary.json", kMaxTextBytes));
+  } else if (summary.end.is_complete() && spdlog::should_log(spdlog::level::info)) {
+    fmt::print("{}", Printable(SummaryText(arguments, summary)));
+  }
+  if (summary.end.is_complete()) return static_cast<int>(summary.outcome);
+  spdlog::error("{}, after {}; the partial result is in {}", summary.end.why, FramesText(summary),
+                folder.string());
+  return summary.end.exit_code;
+}
+
 int Run(const RunArguments& arguments, const Interruption& interruption) {
   CheckPlot(arguments);
   OutputFolder output(arguments.output, PlanOfRun(arguments.force));
@@ -95,13 +110,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
   plot.Draw(MakeRunPlot(arguments, inputs, record, summary), record.end.is_complete());
   drawings.Finish(record.end.is_complete());
-  if (summary.end.is_complete()) {
-    fmt::print("{}", Printable(SummaryText(arguments, summary)));
-    return static_cast<int>(summary.outcome);
-  }
-  spdlog::error("{}, after {}; the partial result is in {}", summary.end.why, FramesText(summary),
-                folder.string());
-  return summary.end.exit_code;
+  return Report(arguments, summary, folder);
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
@@ -128,6 +137,7 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
       .add_option("--meters-per-unit", arguments.meters_per_unit,
                   "scale factor of the written trajectories and map (default: 1)")
       ->check(NumberRange(1e-12, 1e12));
+  command.add_flag("--json", arguments.json, "print summary.json instead of a text");
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 

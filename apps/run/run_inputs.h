@@ -39,6 +39,7 @@ struct RunArguments {
   int threads = 1;
   bool strict = false;  ///< Whether an image that cannot be read or has another size is an error.
   bool force = false;   ///< Whether files that are not corvo's are replaced.
+  bool json = false;    ///< Print summary.json instead of a text.
   bool refine = false;  ///< Refine the whole sequence after the last frame.
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
 };

@@ -13,8 +13,6 @@
 namespace corvo::bench {
 namespace {
 
-constexpr double kFrameRateHz = 30;  // For folders of images without timestamps (7-Scenes).
-
 Camera ChooseCamera(const RecordingFiles& files, const ImageList& list) {
   if (!files.camera.empty()) return ReadCameraFile(files.camera).camera;
   if (list.camera) return Camera(*list.camera);
@@ -24,7 +22,7 @@ Camera ChooseCamera(const RecordingFiles& files, const ImageList& list) {
 }  // namespace
 
 Recording ReadRecording(const RecordingFiles& files, int max_count) {
-  ImageList list = ListImages(files.folder, kFrameRateHz);
+  ImageList list = ListImages(files.folder);
   Recording recording{ChooseCamera(files, list), {}, {}, {}};
   for (const TimedFile& image : list.images) recording.times.push_back(image.time_ns);
   if (!files.truth.empty()) recording.truth = ReadGroundTruth(files.truth, recording.times);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/output/map_ply.h"
 #include "apps/output/observation_table.h"
+#include "apps/synthetic/sequence.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
@@ -30,6 +34,22 @@ int CountPoses(const fs::path& file) {
   int count = 0;
   for (std::string line; std::getline(text, line);) count += line.front() == '#' ? 0 : 1;
   return count;
+}
+
+/// Returns the lines that are not comments.
+std::vector<std::string> LinesOf(const fs::path& file) {
+  std::istringstream text(ReadText(file));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty() || line.front() != '#') lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Returns the numbers at the start of a line.
+std::vector<double> NumbersOf(const std::string& line) {
+  std::istringstream text(line);
+  return {std::istream_iterator<double>(text), std::istream_iterator<double>()};
 }
 
 int CountLines(const std::string& text) {
@@ -90,6 +110,67 @@ TEST_F(Pipeline, TracksEveryFrameOfAStreet) {
   EXPECT_LT(summary["rotation_over_1s_deg"]["rmse"], 0.5);
   EXPECT_EQ(ReadEurocPoses(Result() / "trajectory_euroc.csv").size(), kFrames);
   EXPECT_EQ(ReadMapPly(Result() / "map.ply").size(), summary["landmarks"]);
+}
+
+TEST_F(Pipeline, QuietRunsPrintNothingAndJsonIsTheSummary) {
+  const fs::path quiet = *folder_ / "quiet";
+  const CommandResult result = RunOn(Street(), quiet, {"--quiet", "--count", "20"});
+  EXPECT_EQ(result.exit_code, kDone);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "");
+  const CommandResult json = RunOn(Street(), quiet, {"--json", "--count", "20"});
+  EXPECT_EQ(json.out, ReadText(quiet / "summary.json"));
+}
+
+TEST_F(Pipeline, AnInputAloneIsRunWithoutACalibration) {
+  const std::string command =
+      fmt::format("cd '{}' && '{}' street/rgb --count 20", folder_->path().string(), CORVO_COMMAND);
+  const CommandResult result = RunProgram("/bin/sh", {"-c", command}, {"PATH=/usr/bin:/bin"});
+  EXPECT_THAT(result.err, testing::HasSubstr("corvo: info: corvo run street/rgb --count 20 --focal "
+                                             "auto -o rgb.corvo\n"));
+  EXPECT_TRUE(fs::exists(*folder_ / "rgb.corvo/summary.json"));
+}
+
+/// Returns the camera's depth of a point of images.txt: "id qw qx qy qz tx ty tz camera name".
+double DepthIn(const std::vector<double>& image, const Eigen::Vector3d& point) {
+  const Eigen::Quaterniond rotation(image[1], image[2], image[3], image[4]);
+  return (rotation * point).z() + image[7];
+}
+
+TEST_F(Pipeline, ExportedPointsLieOnTheRenderedSurfaces) {
+  const fs::path model = *folder_ / "text";
+  ASSERT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", model, "--text"}).exit_code, 0);
+  std::map<long, Eigen::Vector3d> points;
+  for (const std::string& line : LinesOf(model / "sparse/0/points3D.txt")) {
+    const std::vector<double> fields = NumbersOf(line);
+    points[std::lround(fields[0])] = {fields[1], fields[2], fields[3]};
+  }
+  synthetic::SequenceOptions options;
+  options.frames = kFrames;
+  options.width = 465;
+  const synthetic::Sequence street = synthetic::MakeStreet(options);
+  const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+  const double scale = summary["evaluation"]["truth_from_estimate"]["scale"];
+  int num_right = 0, num_checked = 0;
+  const std::vector<std::string> lines = LinesOf(model / "sparse/0/images.txt");
+  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+    const std::vector<double> image = NumbersOf(lines[i]);
+    const std::string time_s = fs::path(lines[i].substr(lines[i].rfind('/') + 1)).stem().string();
+    const int frame = static_cast<int>(std::lround(std::stod(time_s) * street.frame_rate_hz()));
+    const cv::Mat depth = street.RenderDepth(frame);
+    const std::vector<double> observations = NumbersOf(lines[i + 1]);
+    for (std::size_t k = 0; k + 2 < observations.size(); k += 3) {
+      const auto point = points.find(std::lround(observations[k + 2]));
+      if (point == points.end()) continue;
+      const double expected =
+          depth.at<float>(static_cast<int>(observations[k + 1]), static_cast<int>(observations[k]));
+      const double measured = scale * DepthIn(image, point->second);
+      num_right += std::abs(measured - expected) < 0.02 * expected ? 1 : 0;
+      ++num_checked;
+    }
+  }
+  EXPECT_GT(num_checked, 500);
+  EXPECT_GT(num_right, 0.9 * num_checked) << num_checked;
 }
 
 TEST_F(Pipeline, EvalAgreesWithRun) {

@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 /// A dataset folder; a short run uses only its first `max_short_frames` frames.
 struct Folder {
   Folder(const std::string& folder, int max_short_frames)
-      : list(ListImages(test::DataPath(folder))),
-        num_frames(static_cast<int>(list.images.size())) {
+      : list(ListImages(test::DataPath(folder))), num_frames(static_cast<int>(list.images.size())) {
     if (test::IsShortRun()) num_frames = std::min(num_frames, max_short_frames);
   }
 
@@ -204,7 +203,7 @@ TEST(RealSequenceTest, RotationIsTrackedWhileTheCameraOnlyTurns) {
 
 StreamOpener OpenFolder(const std::string& folder) {
   return ToStreamOpener([folder] {
-    ImageSource source = OpenImages(test::DataPath(folder).string(), std::nullopt, 30, {});
+    ImageSource source = OpenImages(test::DataPath(folder).string(), {}, {});
     const cv::Size size = source.First().image.size();
     source.Prepare({size, size, MaskSource()});
     return source;

@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 /// Returns "<file>:<line>: ", with lines counted from 1.
 std::string Where(const fs::path& file, const YAML::Mark& mark) {
   if (mark.is_null()) return fmt::format("{}: ", file.string());
