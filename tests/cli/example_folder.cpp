@@ -149,7 +149,8 @@ void ExampleFolder::ExpectRuns(const std::string& command) const {
   constexpr int kNeverInitialized = 2;
   const CommandResult result = Run(command);
   const bool needs_scene =  // These images show no scene.
-      command.rfind("corvo run", 0) == 0 || command.rfind("corvo calibrate", 0) == 0;
+      command.starts_with("corvo run") || command.starts_with("corvo calibrate") ||
+      command.starts_with("corvo drive.mp4");
   EXPECT_TRUE(result.exit_code == 0 || (needs_scene && result.exit_code == kNeverInitialized))
       << command << "\n"
       << result.out << result.err;
