@@ -158,6 +158,20 @@ std::vector<std::string> CheckGivenCamera(const RunArguments& arguments,
   return CheckCamera(arguments.camera.empty() ? arguments.input : arguments.camera, camera);
 }
 
+/// Tells what the inputs were taken for, for --verbose.
+void LogInputs(const RunArguments& arguments, const RunInputs& inputs) {
+  const ImageList& list = inputs.source.list();
+  const std::optional<int> size = inputs.source.expected_size();
+  spdlog::debug("{}: layout {}, {} images to process", arguments.input.string(), list.layout,
+                size ? std::to_string(*size) : "an unknown number of");
+  const CameraParameters& camera = inputs.camera.given;
+  spdlog::debug("camera: {}, {} x {} px, fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f}",
+                ToString(camera.model), camera.width, camera.height, camera.fx, camera.fy,
+                camera.cx, camera.cy);
+  spdlog::debug("ground truth: {} poses{}", inputs.truth.poses.size(),
+                inputs.truth.file.empty() ? "" : " of " + inputs.truth.file.string());
+}
+
 }  // namespace
 
 cv::Size ParseResize(const std::string& text, const cv::Size& size) {
@@ -234,8 +248,10 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
   const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
   source.Prepare({size, resized, OpenMasks(arguments, first)});
   RunTruth truth = ReadTruth(arguments, source.list());
-  return {options, camera.Resized(resized.width, resized.height), std::move(source),
-          std::move(truth), std::move(warnings)};
+  RunInputs inputs{options, camera.Resized(resized.width, resized.height), std::move(source),
+                   std::move(truth), std::move(warnings)};
+  LogInputs(arguments, inputs);
+  return inputs;
 }
 
 }  // namespace corvo

@@ -79,6 +79,33 @@ void WriteTumMono(const fs::path& folder) {
             ExamplePoses(0, 0.1) + "9 NaN NaN NaN NaN NaN NaN NaN\n");
 }
 
+void WriteKittiRaw(const fs::path& day) {
+  const fs::path drive = day / "2011_09_26_drive_0001_sync";
+  std::string times;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    WriteImage(drive / fmt::format("image_00/data/{:010}.png", i), TinyImage(i));
+    WriteText(drive / fmt::format("oxts/data/{:010}.txt", i),
+              fmt::format("49 {:.6f} 100 0 0 {:.2f}\n", 8 + 1e-5 * i, 0.1 * i));
+    times += fmt::format("2011-09-26 13:02:25.{}00000000\n", i);
+  }
+  WriteText(drive / "image_00/timestamps.txt", times);
+  WriteText(drive / "oxts/timestamps.txt", times);
+  WriteText(day / "calib_cam_to_cam.txt",
+            "S_rect_00: 96 64\nR_rect_00: 1 0 0 0 1 0 0 0 1\n"
+            "P_rect_00: 80 0 47.5 0 0 80 31.5 0 0 0 1 0\n");
+  WriteText(day / "calib_velo_to_cam.txt", "R: 0 -1 0 0 0 -1 1 0 0\nT: 0 0 -0.3\n");
+  WriteText(day / "calib_imu_to_velo.txt", "R: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n");
+}
+
+void WriteTartanAir(const fs::path& folder) {
+  std::string poses;
+  for (int i = 0; i < kExampleFrames; ++i) {
+    WriteImage(folder / fmt::format("image_left/{:06}_left.png", i), kVga);
+    poses += fmt::format("{} {} {} 0 0 0 1\n", i, i % 3, i % 2);
+  }
+  WriteText(folder / "pose_left.txt", poses);
+}
+
 void WriteSevenScenes(const fs::path& folder) {
   for (int i = 0; i < kExampleFrames; ++i) {
     WriteImage(folder / fmt::format("frame-{:06}.color.png", i), kVga);
@@ -115,6 +142,8 @@ void WriteBenchmarks(const fs::path& here) {
   WriteTumVi(here / "dataset-room1_512_16");
   WriteTumMono(here / "sequence_30");
   WriteSevenScenes(here / "redkitchen/seq-01");
+  WriteKittiRaw(here / "2011_09_26");
+  WriteTartanAir(here / "abandonedfactory/Easy/P000");
 }
 
 }  // namespace

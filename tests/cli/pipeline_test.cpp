@@ -112,12 +112,15 @@ TEST_F(Pipeline, TracksEveryFrameOfAStreet) {
   EXPECT_EQ(ReadMapPly(Result() / "map.ply").size(), summary["landmarks"]);
 }
 
-TEST_F(Pipeline, QuietRunsPrintNothingAndJsonIsTheSummary) {
+TEST_F(Pipeline, QuietAndVerboseRunsAndJson) {
   const fs::path quiet = *folder_ / "quiet";
   const CommandResult result = RunOn(Street(), quiet, {"--quiet", "--count", "20"});
   EXPECT_EQ(result.exit_code, kDone);
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err, "");
+  EXPECT_THAT(
+      RunOn(Street(), quiet, {"--verbose", "--count", "20"}).err,
+      testing::AllOf(testing::HasSubstr("layout tum, 20 images"), testing::HasSubstr("465 x ")));
   const CommandResult json = RunOn(Street(), quiet, {"--json", "--count", "20"});
   EXPECT_EQ(json.out, ReadText(quiet / "summary.json"));
 }
