@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "apps/dataset/ground_truth.h"
+#include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_source.h"
 #include "tests/fuzz/scratch_folder.h"
 #include "tests/fuzz/targets.h"
@@ -12,7 +13,7 @@ namespace corvo::fuzz {
 namespace {
 
 // The text files that the layouts of datasets consist of. Images need only exist to be listed.
-constexpr std::array<std::string_view, 14> kTextFiles = {
+constexpr std::array<std::string_view, 23> kTextFiles = {
     "times.txt",
     "calib.txt",
     "camera.txt",
@@ -27,12 +28,22 @@ constexpr std::array<std::string_view, 14> kTextFiles = {
     "dso/camchain.yaml",
     "dso/gt_imu.csv",
     "poses.txt",
+    "associations.txt",
+    "pose_left.txt",
+    "image_times.txt",
+    "calib_cam_to_cam.txt",
+    "calib_velo_to_cam.txt",
+    "calib_imu_to_velo.txt",
+    "drive/image_00/timestamps.txt",
+    "drive/oxts/timestamps.txt",
+    "drive/oxts/data/0.txt",
 };
 
 void WriteImages(const ScratchFolder& folder) {
-  for (const char* name : {"image_0/000000.png", "image_0/000001.png", "images/00000.jpg",
-                           "images/00001.jpg", "rgb/1.png", "rgb/2.png", "mav0/cam0/data/1.png",
-                           "mav0/cam0/data/2.png", "frame-000000.color.png"}) {
+  for (const char* name :
+       {"image_0/000000.png", "image_0/000001.png", "images/00000.jpg", "images/00001.jpg",
+        "rgb/1.png", "rgb/2.png", "mav0/cam0/data/1.png", "mav0/cam0/data/2.png",
+        "frame-000000.color.png", "image_left/000000_left.png", "drive/image_00/data/0.png"}) {
     folder.Write(name, "");
   }
 }
@@ -76,12 +87,22 @@ void FuzzDataset(Bytes bytes) {
   WriteFiles(Input(bytes).Text(), folder);
   AllowError([] { RequireImages(ListImages(folder.path())); });
   AllowError([] { RequireImages(ListImages(folder.path() / "mav0")); });
+  AllowError([] { RequireImages(ListImages(folder.path() / "drive")); });
   AllowError([] {
-    const std::filesystem::path truth = FindGroundTruth(folder.path());
-    if (!truth.empty()) ReadTruth(truth);
+    InputOptions options;
+    options.times = folder.path() / "image_times.txt";
+    RequireImages(ListImages(folder.path() / "images", options));
   });
+  for (const char* input : {"", "drive"}) {
+    AllowError([&] {
+      const std::filesystem::path truth = FindGroundTruth(folder.path() / input);
+      if (!truth.empty()) ReadTruth(truth);
+    });
+  }
   for (const std::string_view name : kTextFiles) {
-    if (name.find("data.csv") == name.npos && name != "dso/gt_imu.csv") continue;
+    if (name.find("data.csv") == name.npos && name != "dso/gt_imu.csv" && name != kTartanAirPoses) {
+      continue;
+    }
     AllowError([&] { ReadTruth(folder.path() / name); });
   }
 }
