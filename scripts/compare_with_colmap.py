@@ -4,7 +4,7 @@
 calibration: processor time, registered images, points, mean reprojection error and, where there is
 ground truth in TUM format with the timestamps of corvo's frames, the position error after Sim3.
 
-COLMAP gets the keyframes that corvo exports, one camera (OPENCV), SIFT on the processor and
+COLMAP gets every posed image, as from a film; one camera (OPENCV), SIFT on the processor and
 sequential matching with 10 neighbors, as its automatic reconstruction of videos does. Needs pycolmap
 (scripts/install_dependencies.sh --development).
 
@@ -77,17 +77,20 @@ def main():
     truth = truth_by_name(result, sys.argv[2]) if len(sys.argv) > 2 else {}
     report("corvo", pycolmap.Reconstruction(model / "sparse/0"), corvo_s, truth)
 
+    images = work / "all/images"
+    subprocess.run([CORVO, "export", result, "--to", "colmap", "--images", "--frames", "all",
+                    "-o", images.parent], check=True, stdout=subprocess.DEVNULL)
     pycolmap.logging.minloglevel = 2
     before = processor_s(resource.RUSAGE_SELF)
     database = work / "database.db"
     reader = pycolmap.ImageReaderOptions()
     reader.camera_model = "OPENCV"
-    pycolmap.extract_features(database, model / "images", reader_options=reader,
+    pycolmap.extract_features(database, images, reader_options=reader,
                               camera_mode=pycolmap.CameraMode.SINGLE,
                               device=pycolmap.Device.cpu)
     pycolmap.match_sequential(database, device=pycolmap.Device.cpu)
     (work / "sparse").mkdir()
-    models = pycolmap.incremental_mapping(database, model / "images", work / "sparse")
+    models = pycolmap.incremental_mapping(database, images, work / "sparse")
     colmap_s = processor_s(resource.RUSAGE_SELF) - before
     best = max(models.values(), key=lambda m: m.num_reg_images())
     report("COLMAP", best, colmap_s, truth)

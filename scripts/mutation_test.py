@@ -33,7 +33,7 @@ OPERATORS = {
     "break;": ";", "continue;": ";", "if (!": "if (", "if (": "if (!",
 }
 TOKEN = re.compile("|".join(re.escape(t) for t in sorted(OPERATORS, key=len, reverse=True)) +
-                   r"|(?<![\w.])\d+(?:\.\d+)?(?![\w.])")
+                   r"|(?<![\w.'])\d+(?:\.\d+)?(?![\w.'])")
 # Test executables in the order in which they are run, by the top-level folder of the mutant.
 TESTS = {"orb": ["orb/test_orb", "orb/test_kernels", "vo/test_vo"], "vo": ["vo/test_vo"]}
 # Of the processor and of the clock: a mutant that takes longer hangs. Busy machines have much of the
@@ -60,7 +60,10 @@ def sites_of(path):
             token = match[0]
             new = OPERATORS.get(token)
             if new is None:
-                new = str(int(token) + 1) if token.isdigit() else str(float(token) * 2)
+                # A threshold that is off by one changes little; one of twice the size should show.
+                is_small = token.isdigit() and int(token) < 3
+                new = str(int(token) + 1) if is_small else str(float(token) * 2)
+                new = new.removesuffix(".0") if token.isdigit() else new
             yield {"file": path, "line": index + 1, "column": match.start(), "old": token,
                    "new": new}
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/codecs/opencv_codecs.h"
 
-#include <utility>
-
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -11,7 +9,7 @@ namespace {
 
 class CaptureInput : public VideoInput {
  public:
-  explicit CaptureInput(cv::VideoCapture capture) : capture_(std::move(capture)) {}
+  explicit CaptureInput(const cv::VideoCapture& capture) : capture_(capture) {}
 
   bool Grab() override { return capture_.grab(); }
   bool Retrieve(cv::Mat& image) override { return capture_.retrieve(image); }
@@ -23,7 +21,7 @@ class CaptureInput : public VideoInput {
 
 class WriterOutput : public VideoOutput {
  public:
-  explicit WriterOutput(cv::VideoWriter writer) : writer_(std::move(writer)) {}
+  explicit WriterOutput(const cv::VideoWriter& writer) : writer_(writer) {}
 
   void Write(const cv::Mat& image) override { writer_.write(image); }
 
@@ -31,9 +29,10 @@ class WriterOutput : public VideoOutput {
   cv::VideoWriter writer_;
 };
 
-std::unique_ptr<VideoInput> ToInput(cv::VideoCapture capture) {
+/// Copies of a capture share its state.
+std::unique_ptr<VideoInput> ToInput(const cv::VideoCapture& capture) {
   if (!capture.isOpened()) return nullptr;
-  return std::make_unique<CaptureInput>(std::move(capture));
+  return std::make_unique<CaptureInput>(capture);
 }
 
 class AllCodecs : public Codecs {
@@ -64,7 +63,7 @@ class AllCodecs : public Codecs {
     try {
       cv::VideoCapture capture(file, backend, parameters);
       capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);  // Its default depends on the version.
-      return ToInput(std::move(capture));
+      return ToInput(capture);
     } catch (const cv::Exception&) {
       return nullptr;
     }
@@ -83,7 +82,7 @@ class AllCodecs : public Codecs {
     try {
       cv::VideoWriter writer(file, format.backend, format.codec, format.frame_rate_hz, format.size);
       if (!writer.isOpened()) return nullptr;
-      return std::make_unique<WriterOutput>(std::move(writer));
+      return std::make_unique<WriterOutput>(writer);
     } catch (const cv::Exception&) {
       return nullptr;
     }

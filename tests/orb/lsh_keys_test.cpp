@@ -72,6 +72,20 @@ TEST(LshKeysTest, ConstantBitsAreNotChosen) {
   }
 }
 
+TEST(LshKeysTest, BalancedBitsAreChosen) {
+  test::Random random(3);
+  std::vector<Descriptor> descriptors(2000);
+  for (Descriptor& descriptor : descriptors) {
+    for (int bit = 0; bit < 256; ++bit) {
+      const double share = bit % 3 == 2 ? 0.5 : bit % 3 == 1 ? 0.95 : 0.05;
+      SetBit(descriptor, bit, random.Uniform() < share);
+    }
+  }
+  for (const KeyBits& key : ChooseKeyBits(descriptors, 4, 16)) {
+    for (const int bit : key) EXPECT_EQ(bit % 3, 2);
+  }
+}
+
 TEST(LshKeysTest, KeysAreChosenEvenWithoutDescriptors) {
   EXPECT_EQ(ChooseKeyBits({}, 2, 3), (std::vector<KeyBits>{{0, 2, 4}, {1, 3, 5}}));
 }

@@ -180,6 +180,9 @@ TEST(AlignTest, RejectsTooFewPairsAndCoincidentPositions) {
     EXPECT_THAT([&] { Align(MakePairs(9, still, moving), alignment); }, ThrowsError("estimated"));
     EXPECT_THAT([&] { Align(MakePairs(9, moving, still), alignment); }, ThrowsError("true"));
   }
+  const auto rounded = [](int i) { return At(1e6 + 1e-8 * i, 2, 3); };  // To double precision.
+  EXPECT_THAT([&] { Align(MakePairs(9, rounded, moving), Alignment::kSim3); },
+              ThrowsError("estimated"));
   EXPECT_EQ(Align(MakePairs(2, still, still), Alignment::kNone), Sim3());
 }
 

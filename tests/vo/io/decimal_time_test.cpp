@@ -60,6 +60,12 @@ TEST(GuessTimeUnit, FollowsTheMagnitude) {
   EXPECT_EQ(GuessTimeUnit("1403636579763555584"), TimeUnit::kNanoseconds);
   EXPECT_EQ(GuessTimeUnit("1.403636579763555584e+18"), TimeUnit::kNanoseconds);
   EXPECT_EQ(GuessTimeUnit("name"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessTimeUnit("99999999999.9"), TimeUnit::kSeconds);
+  EXPECT_EQ(GuessTimeUnit("100000000000"), TimeUnit::kMilliseconds);
+  EXPECT_EQ(GuessTimeUnit("99999999999999"), TimeUnit::kMilliseconds);
+  EXPECT_EQ(GuessTimeUnit("100000000000000"), TimeUnit::kMicroseconds);
+  EXPECT_EQ(GuessTimeUnit("99999999999999999"), TimeUnit::kMicroseconds);
+  EXPECT_EQ(GuessTimeUnit("100000000000000000"), TimeUnit::kNanoseconds);
   EXPECT_EQ(GuessEurocTimeUnit("33333333"), TimeUnit::kNanoseconds);
   EXPECT_EQ(GuessEurocTimeUnit("1403636579.763"), TimeUnit::kSeconds);
 }

@@ -18,13 +18,14 @@ class ScaleMonitorTest : public ::testing::Test {
   int Add(int num_frames, double speed, double flow, double inlier_share = 0.9) {
     int num_uncertain = 0;
     for (int i = 0; i < num_frames; ++i) {
-      num_uncertain += monitor_.Add({inlier_share, 0, kFrameTime, speed, kDepth},
+      num_uncertain += monitor_.Add({inlier_share, 0, kFrameTime, unit_ * speed, unit_ * kDepth},
                                     [&] { return std::optional(flow / kDepth * kFrameTime); });
     }
     return num_uncertain;
   }
 
   ScaleMonitor monitor_;
+  double unit_ = 1;  ///< Of lengths in the map.
 };
 
 TEST_F(ScaleMonitorTest, SteadyMotionIsCertain) { EXPECT_EQ(Add(100, 5, 5), 0); }
@@ -41,6 +42,15 @@ TEST_F(ScaleMonitorTest, ASpeedThatCollapsesWhileTheImagesFlowIsUncertain) {
 TEST_F(ScaleMonitorTest, ASpeedThatGrowsWhileTheImagesFlowAsBeforeIsUncertain) {
   EXPECT_EQ(Add(20, 5, 5), 0);
   EXPECT_GE(Add(5, 50, 5), 3);
+}
+
+TEST_F(ScaleMonitorTest, TheUnitOfLengthDoesNotMatter) {
+  for (const double unit : {1e-4, 0.05, 1e4}) {
+    unit_ = unit;
+    monitor_ = ScaleMonitor();
+    EXPECT_EQ(Add(20, 5, 5), 0) << unit;
+    EXPECT_GE(Add(5, 0.5, 5), 3) << unit;
+  }
 }
 
 TEST_F(ScaleMonitorTest, OneOutlierAmongTheSpeedsIsCertain) {
