@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Writes the bill of materials of a built corvo, as SPDX 2.3 in JSON, to standard output: the
-# packages whose libraries the command asks for itself (DT_NEEDED), and those that are compiled or
-# linked into it. Versions and licenses are those of the installed Debian packages; what those need
+# packages whose libraries the command and its module of codecs ask for themselves (DT_NEEDED), and
+# those that are compiled or linked into them. Versions and licenses are those of the installed Debian packages; what those need
 # in turn is theirs to tell.
 #
 #   make_sbom.sh [COMMAND]          default: build/release/apps/corvo
@@ -18,12 +18,19 @@ done
 # Headers, and libraries of which Debian has static ones.
 compiled=(libceres-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
 
-resolved=$(ldd "$command")
+version=$("$command" --version)
+# Relative to the command, the module lies at the same place in the build tree and when installed.
+modules=$(find "$(dirname "$(readlink -f "$command")")/.." -path "*/corvo/corvo_codecs-$version.so")
+[ -n "$modules" ] || { echo "make_sbom.sh: $command: its module of codecs is missing" >&2; exit 1; }
+programs=("$command" "$(head -n 1 <<<"$modules")")
+
+resolved=$(ldd "${programs[@]}")
 
 # The package of a library, which /lib may hold as a link to /usr/lib.
 package_of() {
   local path
-  path=$(awk -v name="$1" '$1 == name { print $3 }' <<<"$resolved")
+  case $1 in ld-linux*) echo libc6; return ;; esac  # ldd does not resolve the loader.
+  path=$(awk -v name="$1" '$1 == name { print $3; exit }' <<<"$resolved")
   dpkg-query --search "$path" "/usr$path" "$(readlink -f "$path")" 2>/dev/null |
     head -n 1 | sed 's/: .*//; s/:.*//; s/,.*//'
 }
@@ -51,12 +58,11 @@ license_of() {
 
 list_packages() {
   local library
-  readelf --dynamic --wide "$command" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' |
+  readelf --dynamic --wide "${programs[@]}" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u |
     while read -r library; do printf '%s DYNAMIC_LINK %s\n' "$(package_of "$library")" "$library"; done
   for package in "${compiled[@]}"; do printf '%s STATIC_LINK -\n' "$package"; done
 }
 
-version=$("$command" --version)
 created=$(date --utc ${SOURCE_DATE_EPOCH:+--date=@$SOURCE_DATE_EPOCH} +%Y-%m-%dT%H:%M:%SZ)
 
 list_packages | while read -r package relation library; do

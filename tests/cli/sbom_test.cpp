@@ -29,8 +29,8 @@ TEST(BillOfMaterials, NamesEveryLibraryOfTheCommandWithVersionAndLicense) {
     EXPECT_THAT(package.at("licenseDeclared"), Ne("NOASSERTION")) << package;
     libraries += package.value("comment", "") + " " + package.at("name").get<std::string>() + "\n";
   }
-  for (const char* name :
-       {"libopencv_core.so", "libyaml-cpp.so", "libc.so.6", "libceres-dev", "libeigen3-dev"}) {
+  for (const char* name : {"libopencv_core.so", "libopencv_videoio.so", "libyaml-cpp.so",
+                           "libc.so.6", "libceres-dev", "libeigen3-dev"}) {
     EXPECT_THAT(libraries, HasSubstr(name));
   }
   EXPECT_EQ(bill.at("relationships").size(), bill.at("packages").size());
