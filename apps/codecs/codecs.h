@@ -46,8 +46,8 @@ class Codecs {
   /// Like cv::imdecode(). Returns an empty image on errors.
   virtual cv::Mat DecodeImage(const std::string& bytes, int flags) const = 0;
   /// Like cv::imencode(). Returns an empty vector on errors.
-  virtual std::vector<std::uint8_t> EncodeImage(const std::string& extension, const cv::Mat& image,
-                                                const std::vector<int>& parameters) const = 0;
+  virtual std::vector<std::uint8_t> EncodeImage(const std::string& extension,
+                                                const cv::Mat& image) const = 0;
   /// Opens a video with a backend of OpenCV; `parameters` are pairs of a property and its value.
   /// Returns null on errors.
   virtual std::unique_ptr<VideoInput> OpenVideo(const std::string& file, int backend,

@@ -47,11 +47,11 @@ class AllCodecs : public Codecs {
     }
   }
 
-  std::vector<std::uint8_t> EncodeImage(const std::string& extension, const cv::Mat& image,
-                                        const std::vector<int>& parameters) const override {
+  std::vector<std::uint8_t> EncodeImage(const std::string& extension,
+                                        const cv::Mat& image) const override {
     std::vector<std::uint8_t> bytes;
     try {
-      if (!cv::imencode(extension, image, bytes, parameters)) bytes.clear();
+      if (!cv::imencode(extension, image, bytes)) bytes.clear();
     } catch (const cv::Exception&) {
       bytes.clear();
     }

@@ -27,4 +27,8 @@ void AddCommands(CLI::App& app, int& exit_code) {
   AddCompletionCommands(app);
 }
 
+std::vector<const CLI::App*> CommandsOf(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 }  // namespace corvo

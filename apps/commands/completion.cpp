@@ -7,19 +7,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/commands/commands.h"
 #include "orb/error.h"
 
 namespace corvo {
 namespace {
 
-std::vector<const CLI::App*> CommandsOf(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// Returns the options that have names and are described, in the order of their addition.
 std::vector<const CLI::Option*> OptionsOf(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) {
-    return !option->nonpositional() ? false : !option->get_group().empty();
+    return option->nonpositional() && !option->get_group().empty();
   });
 }
 
@@ -156,13 +153,14 @@ std::string ManOption(const CLI::Option& option) {
                      ManText(option.get_description()));
 }
 
-}  // namespace
-
+/// Returns a script that completes the commands and options of the program in a shell: "bash",
+/// "zsh" or "fish".
 std::string CompletionScript(const CLI::App& app, const std::string& shell) {
   if (shell == "bash") return BashScript(app);
   return shell == "zsh" ? ZshScript(app) : FishScript(app);
 }
 
+/// Returns the manual page, in the format of man(7), of the program or of one of its commands.
 std::string ManualPage(const CLI::App& app) {
   const CLI::App* const parent = app.get_parent();
   const std::string name =
@@ -191,6 +189,8 @@ std::string ManualPage(const CLI::App& app) {
   }
   return page + ".SH NOTES\n.nf\n" + ManText(app.get_footer()) + "\n.fi\n";
 }
+
+}  // namespace
 
 void AddCompletionCommands(CLI::App& app) {
   CLI::App* completion =

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands/commands.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_source.h"
 #include "orb/error.h"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> NamesOfCommands(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* command : CommandsOf(app)) {
     names.push_back(command->get_name());
   }
   return names;
@@ -47,8 +48,7 @@ bool HasCalibration(const std::string& input) {
 
 /// Returns NAME.corvo for the input NAME, or NAME.mp4.
 std::string OutputFor(const fs::path& input) {
-  const fs::path plain = fs::absolute(input / "").lexically_normal().parent_path();
-  return plain.stem().string() + ".corvo";
+  return AbsoluteFolder(input).stem().string() + ".corvo";
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ void AddUnlistedImages(const fs::path& folder, ImageList& list) {
     throw Error(fmt::format("{}: is missing, and the names of the images in {} are not their times",
                             (folder / kList).string(), (folder / kImages).string()));
   }
-  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], (*times)[i]});
+  AddTimedImages(files, *times, list);
 }
 
 /// Reads the calibration in the camera's folder (EuRoC) or beside `mav0` (TUM-VI). Returns
@@ -73,7 +73,7 @@ void AddUnlistedImages(const fs::path& folder, ImageList& list) {
 std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::path& first_image) {
   const fs::path sensor = folder / kSensor;
   if (fs::exists(sensor)) return ReadDatasetCamera(sensor, "", first_image);
-  const fs::path absolute = fs::absolute(folder / "").lexically_normal().parent_path();
+  const fs::path absolute = AbsoluteFolder(folder);
   const fs::path chain = absolute.parent_path().parent_path() / "dso" / "camchain.yaml";
   const char* const name = absolute.filename() == "cam1" ? "cam1" : "cam0";
   if (fs::exists(chain)) return ReadDatasetCamera(chain, name, first_image);

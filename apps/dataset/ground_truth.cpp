@@ -78,9 +78,7 @@ std::vector<fs::path> PoseFilesIn(const fs::path& folder) {
                       name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
     if (ends) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return NaturalLess(a.filename().string(), b.filename().string());
-  });
+  SortByName(files);
   return files;
 }
 

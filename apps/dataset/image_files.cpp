@@ -2,10 +2,10 @@
 #include "apps/dataset/image_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string>
 
+#include "apps/output/file_extension.h"
 #include "apps/output/manifest.h"
 
 namespace corvo {
@@ -52,10 +52,8 @@ class WrittenFiles {
 }  // namespace
 
 bool HasImageExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
+  std::string extension = LowerExtension(file);
   if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return std::find(kImageExtensions.begin(), kImageExtensions.end(), extension) !=
          kImageExtensions.end();
 }
@@ -79,6 +77,16 @@ void RemoveOutput(std::vector<fs::path>& files) {
   std::erase_if(files, [&](const fs::path& file) { return written.Contain(file); });
 }
 
+void SortByName(std::vector<fs::path>& paths) {
+  std::ranges::sort(paths, [](const fs::path& a, const fs::path& b) {
+    return NaturalLess(a.filename().string(), b.filename().string());
+  });
+}
+
+fs::path AbsoluteFolder(const fs::path& folder) {
+  return fs::absolute(folder / "").lexically_normal().parent_path();
+}
+
 std::vector<fs::path> ImageFilesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -87,9 +95,7 @@ std::vector<fs::path> ImageFilesIn(const fs::path& folder) {
     if (!hidden && HasImageExtension(file) && !IsDepthImage(file)) files.push_back(file);
   }
   RemoveOutput(files);
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return NaturalLess(a.filename().string(), b.filename().string());
-  });
+  SortByName(files);
   return files;
 }
 

@@ -22,6 +22,12 @@ std::vector<std::filesystem::path> ImageFilesIn(const std::filesystem::path& fol
 /// Removes the files that corvo wrote: output never becomes input.
 void RemoveOutput(std::vector<std::filesystem::path>& files);
 
+/// Sorts paths in natural order of their file names.
+void SortByName(std::vector<std::filesystem::path>& paths);
+
+/// Returns the absolute, normalized path of a folder, without a separator at its end.
+std::filesystem::path AbsoluteFolder(const std::filesystem::path& folder);
+
 /// Returns whether `a` precedes `b` in natural order, in which runs of digits are compared as
 /// numbers: "2.png" precedes "10.png".
 bool NaturalLess(std::string_view a, std::string_view b);

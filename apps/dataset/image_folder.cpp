@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -15,7 +14,6 @@
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_times.h"
 #include "apps/dataset/layout_hints.h"
-#include "apps/output/manifest.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -27,7 +25,7 @@ namespace fs = std::filesystem;
 void AddTimes(const std::vector<fs::path>& files, const InputOptions& options, ImageList& list) {
   const auto times = options.frame_rate_hz ? std::nullopt : TimesInNames(files);
   if (!times) return AddIndexTimes(files, options, list);
-  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], (*times)[i]});
+  AddTimedImages(files, *times, list);
 }
 
 /// Warns if the names without their digits have several forms of equally many images, such as left_
@@ -69,9 +67,7 @@ std::vector<fs::path> SubfoldersWithImages(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.is_directory() && !ImageFilesIn(entry.path()).empty()) found.push_back(entry.path());
   }
-  std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) {
-    return NaturalLess(a.filename().string(), b.filename().string());
-  });
+  SortByName(found);
   return found;
 }
 
@@ -97,6 +93,18 @@ void AddIndexTimes(const std::vector<fs::path>& files, const InputOptions& optio
     const double time_s = static_cast<double>(list.images.size()) / rate_hz;
     list.images.push_back({file, std::llround(1e9 * time_s)});
   }
+}
+
+void AddTimedImages(const std::vector<fs::path>& files, const std::vector<TimeNs>& times,
+                    ImageList& list) {
+  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], times[i]});
+}
+
+void CheckNumTimes(const fs::path& times_file, std::size_t num_times, const fs::path& image_folder,
+                   std::size_t num_images) {
+  if (num_times == num_images) return;
+  throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times_file.string(),
+                          num_times, num_images, image_folder.string()));
 }
 
 bool IsPattern(const fs::path& input) {

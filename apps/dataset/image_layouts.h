@@ -58,6 +58,15 @@ ImageList ListMatchingImages(const std::filesystem::path& pattern, const InputOp
 /// their names.
 ImageList ListFolderImages(const std::filesystem::path& input, const InputOptions& options);
 
+/// Appends images with their times, one for each.
+void AddTimedImages(const std::vector<std::filesystem::path>& files,
+                    const std::vector<TimeNs>& times, ImageList& list);
+
+/// Throws corvo::Error with the names and both numbers unless a file of times has as many as there
+/// are images in a folder.
+void CheckNumTimes(const std::filesystem::path& times_file, std::size_t num_times,
+                   const std::filesystem::path& image_folder, std::size_t num_images);
+
 /// Appends images with the times index / frame rate.
 void AddIndexTimes(const std::vector<std::filesystem::path>& files, const InputOptions& options,
                    ImageList& list);

@@ -3,13 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "apps/dataset/dataset_camera.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/kitti_raw_times.h"
-#include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
 namespace corvo {
@@ -28,7 +25,7 @@ bool IsCameraFolder(const fs::path& folder) {
 /// Returns the folder of a camera, or an empty path. `input` is the drive, that folder, or the
 /// images in it.
 fs::path CameraFolder(const fs::path& input) {
-  const fs::path absolute = fs::absolute(input / "").lexically_normal().parent_path();
+  const fs::path absolute = AbsoluteFolder(input);
   if (absolute.filename() == kImages && IsCameraFolder(absolute.parent_path())) {
     return absolute.parent_path();
   }
@@ -63,12 +60,9 @@ ImageList ListKittiRawImages(const fs::path& input) {
   const std::vector<fs::path> files = ImageFilesIn(folder / kImages);
   const fs::path times_file = folder / kKittiRawTimes;
   const std::vector<TimeNs> times = ReadKittiRawTimes(times_file);
-  if (files.size() != times.size()) {
-    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times_file.string(),
-                            times.size(), files.size(), (folder / kImages).string()));
-  }
+  CheckNumTimes(times_file, times.size(), folder / kImages, files.size());
   ImageList list{"kitti-raw", {}, {}};
-  for (std::size_t i = 0; i < files.size(); ++i) list.images.push_back({files[i], times[i]});
+  AddTimedImages(files, times, list);
   if (!files.empty()) list.camera = FindCamera(folder, files.front());
   return list;
 }

@@ -106,9 +106,7 @@ std::vector<Measurement> ReadMeasurements(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".txt") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return NaturalLess(a.filename().string(), b.filename().string());
-  });
+  SortByName(files);
   std::vector<Measurement> measurements;
   for (const fs::path& file : files) measurements.push_back(ReadMeasurement(file));
   return measurements;
@@ -121,7 +119,7 @@ bool IsKittiRawTruth(const fs::path& folder) {
 }
 
 PoseSequence ReadKittiRawTruth(const fs::path& folder) {
-  const fs::path drive = fs::absolute(folder / "").lexically_normal().parent_path().parent_path();
+  const fs::path drive = AbsoluteFolder(folder).parent_path();
   const SE3 imu_from_camera = ReadImuFromCamera(drive.parent_path());
   const std::vector<TimeNs> times = ReadKittiRawTimes(folder / kKittiRawTimes);
   const std::vector<Measurement> measurements = ReadMeasurements(folder / "data");
@@ -130,9 +128,11 @@ PoseSequence ReadKittiRawTruth(const fs::path& folder) {
                             (folder / kKittiRawTimes).string(), times.size(), measurements.size()));
   }
   PoseSequence poses;
+  if (measurements.empty()) return poses;
+  const double scale = std::cos(measurements[0][0] * std::numbers::pi / 180);
+  const Eigen::Vector3d origin = Project(measurements[0], scale);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double scale = std::cos(measurements[0][0] * std::numbers::pi / 180);
-    const Eigen::Vector3d moved = Project(measurements[i], scale) - Project(measurements[0], scale);
+    const Eigen::Vector3d moved = Project(measurements[i], scale) - origin;
     poses.push_back({times[i], SE3(Rotation(measurements[i]), moved) * imu_from_camera});
   }
   return poses;

@@ -38,10 +38,7 @@ const RigCamera* FindCamera(const fs::path& input) {
 /// Appends images with the times in the lines of a file.
 void AddListedTimes(const std::vector<fs::path>& files, const fs::path& times, ImageList& list) {
   const std::vector<TextLine> lines = ReadTableLines(times);
-  if (files.size() != lines.size()) {
-    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times.string(),
-                            lines.size(), files.size(), files.front().parent_path().string()));
-  }
+  CheckNumTimes(times, lines.size(), files.front().parent_path(), files.size());
   const TimeUnit unit = GuessTimeUnit(lines[0].text);
   for (std::size_t i = 0; i < files.size(); ++i) {
     list.images.push_back({files[i], ParseTime(lines[i].text, unit, LinePrefix(times, lines[i]))});

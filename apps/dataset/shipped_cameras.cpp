@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "apps/output/command_path.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
 
@@ -21,13 +22,7 @@ std::optional<Camera> FindCamera(const fs::path& file) {
   }
 }
 
-/// Returns the folder of configurations, whose path relative to the executable is the same in the
-/// build tree and when installed.
-fs::path ConfigFolder() {
-  std::error_code none;
-  const fs::path command = fs::read_symlink("/proc/self/exe", none);
-  return (command.parent_path() / CORVO_CONFIGS_FROM_COMMAND).lexically_normal();
-}
+fs::path ConfigFolder() { return PathFromCommand(CORVO_CONFIGS_FROM_COMMAND); }
 
 /// Returns the names of the shipped cameras that `is_wanted` accepts, sorted.
 template <typename Predicate>

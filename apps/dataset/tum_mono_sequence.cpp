@@ -46,10 +46,7 @@ ImageList ListTumMonoImages(const fs::path& input) {
   const std::vector<fs::path> files = ImageFilesIn(folder);
   const fs::path times = input / kTimes;
   const std::vector<TextLine> lines = ReadTableLines(times);
-  if (files.size() != lines.size()) {
-    throw Error(fmt::format("{}: {} timestamps for the {} images in {}", times.string(),
-                            lines.size(), files.size(), folder.string()));
-  }
+  CheckNumTimes(times, lines.size(), folder, files.size());
   ImageList list{"tum-mono", {}, {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     list.images.push_back({files[i], ParseRow(lines[i], files[i], times)});

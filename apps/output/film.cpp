@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "apps/output/decoder_messages.h"
+#include "apps/output/file_extension.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -22,13 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kNumWaiting = 12;  // Drawings whose timestamps give the frame rate.
-
-std::string LowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 /// Returns the number that stands for a name of four characters.
 int CodecOf(std::string_view name) {

@@ -11,7 +11,7 @@
 namespace corvo {
 
 std::string EncodeImage(const cv::Mat& image, const std::string& extension) {
-  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(extension, image, {});
+  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(extension, image);
   if (bytes.empty()) {
     throw Error(fmt::format("an image cannot be encoded as {}", extension));
   }

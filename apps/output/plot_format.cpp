@@ -2,11 +2,11 @@
 #include "apps/output/plot_format.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include <fmt/format.h>
 
+#include "apps/output/file_extension.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -34,9 +34,7 @@ std::string_view WithoutNewlines(std::string_view text) {
 }  // namespace
 
 PlotFormat ParsePlotFormat(std::string_view option, const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = LowerExtension(file);
   if (extension == ".png") return PlotFormat::kPng;
   if (extension == ".pdf") return PlotFormat::kPdf;
   if (extension == ".svg") return PlotFormat::kSvg;

@@ -29,7 +29,7 @@ constexpr std::int64_t kMaxPixels = 100'000'000;
 
 void WriteImage(const fs::path& file, const cv::Mat& image) {
   // Unlike cv::imwrite(), WriteText() notices a full disk.
-  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(".png", image, {});
+  const std::vector<std::uint8_t> bytes = GetCodecs().EncodeImage(".png", image);
   if (bytes.empty()) throw Error(fmt::format("{}: cannot be encoded", file.string()));
   WriteText(file, {bytes.begin(), bytes.end()});
 }
