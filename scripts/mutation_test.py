@@ -34,8 +34,14 @@ OPERATORS = {
 }
 TOKEN = re.compile("|".join(re.escape(t) for t in sorted(OPERATORS, key=len, reverse=True)) +
                    r"|(?<![\w.'])\d+(?:\.\d+)?(?![\w.'])")
-# Test executables in the order in which they are run, by the top-level folder of the mutant.
-TESTS = {"orb": ["orb/test_orb", "orb/test_kernels", "vo/test_vo"], "vo": ["vo/test_vo"]}
+# Test executables and their tests in the order in which they are run, by the top-level folder of
+# the mutant. The tests of the changed file (SUITE) run first.
+SYSTEM_TESTS = [("system/test_system", "ReferenceFigures.*"), ("vo/test_vo", "*")]
+TESTS = {
+    "orb": [("orb/test_orb", "*SUITE*"), ("orb/test_orb", "*"), ("orb/test_kernels", "*"),
+            *SYSTEM_TESTS],
+    "vo": [("vo/test_vo", "*SUITE*"), *SYSTEM_TESTS],
+}
 # Of the processor and of the clock: a mutant that takes longer hangs. Busy machines have much of the
 # latter.
 TIMEOUT_CPU_S, TIMEOUT_S = 300, 3600
@@ -97,10 +103,12 @@ class Worker:
                         "-DCORVO_BUILD_BENCHMARKS=OFF"], check=True, capture_output=True)
         if self.compile(TESTS["orb"]).returncode != 0:
             raise SystemExit("the unchanged sources do not compile")
+        if self.run_tests({"file": "orb/"}):
+            raise SystemExit("a test of the unchanged sources fails")
         self.digests = {path: digest(path) for path in self.build.rglob("*.cpp.o")}
 
     def compile(self, tests):
-        targets = [pathlib.Path(test).name for test in tests]
+        targets = sorted({pathlib.Path(test).name for test, _ in tests})
         return subprocess.run(["cmake", "--build", self.build, "--parallel", "1", "--target",
                                *targets], capture_output=True)
 
@@ -110,23 +118,21 @@ class Worker:
         return any(digest(p) != self.digests[p] for p in objects)
 
     def run_tests(self, site):
-        """Returns whether a test notices; the tests of the changed file run first."""
+        """Returns whether a test notices."""
         top = site["file"].split("/")[0]
         stem = pathlib.Path(site["file"]).stem
         suite = "".join(word.capitalize() for word in stem.split("_"))
-        for name in TESTS[top]:
-            for test_filter in (f"*{suite}*", "*"):
-                command = [self.build / "tests" / name,
-                           "--gtest_fail_fast", "--gtest_brief=1", f"--gtest_filter={test_filter}"]
-                environment = {k: v for k, v in os.environ.items()
-                               if k not in ("CORVO_DATA", "CI")}
-                try:
-                    done = subprocess.run(command, capture_output=True, env=environment,
-                                          timeout=TIMEOUT_S, preexec_fn=limit_processor_time)
-                except subprocess.TimeoutExpired:
-                    return True
-                if done.returncode != 0:
-                    return True
+        environment = {k: v for k, v in os.environ.items() if k not in ("CORVO_DATA", "CI")}
+        for name, pattern in TESTS[top]:
+            command = [self.build / "tests" / name, "--gtest_fail_fast", "--gtest_brief=1",
+                       "--gtest_filter=" + pattern.replace("SUITE", suite)]
+            try:
+                done = subprocess.run(command, capture_output=True, env=environment,
+                                      timeout=TIMEOUT_S, preexec_fn=limit_processor_time)
+            except subprocess.TimeoutExpired:
+                return True
+            if done.returncode != 0:
+                return True
         return False
 
     def judge(self, site):
