@@ -18,7 +18,6 @@
 #include "apps/output/output_folder.h"
 #include "apps/output/residual_plot.h"
 #include "apps/run/camera_start.h"
-#include "apps/run/number_option.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/sequence_stream.h"
 #include "orb/error.h"
@@ -50,7 +49,7 @@ struct CalibrateArguments {
   std::vector<fs::path> inputs;
   fs::path output;
   std::string model;  ///< If empty, the simplest model that fits is selected.
-  std::optional<double> frame_rate_hz;
+  InputOptions stored;
   Selection selection;
   int threads = 1;
   bool force = false;
@@ -58,16 +57,14 @@ struct CalibrateArguments {
 
 /// Returns an opener for each input. All images of an input must have the size of its first image.
 std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
-  InputOptions options;
-  options.frame_rate_hz = arguments.frame_rate_hz;
   std::vector<StreamOpener> openers;
   for (const fs::path& input : arguments.inputs) {
     if (IsLiveInput(input.string())) {
       throw Error(fmt::format("{}: is a live camera, which cannot be read twice; give a recording",
                               input.string()));
     }
-    openers.push_back(ToStreamOpener([input, options, &arguments] {
-      ImageSource source = OpenImages(input.string(), options, arguments.selection);
+    openers.push_back(ToStreamOpener([input, &arguments] {
+      ImageSource source = OpenImages(input.string(), arguments.stored, arguments.selection);
       const cv::Size size = source.First().image.size();
       source.Prepare({size, size, MaskSource()});
       return source;
@@ -160,9 +157,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
                    "pinhole, radtan, kb4 or fov (default: the simplest that fits)")
       ->check(CLI::IsMember({"pinhole", "radtan", "kb4", "fov"}));
   AddFormerOption(*command, "--focal", "is not needed: the focal length is always estimated");
-  command
-      ->add_option("--fps", arguments->frame_rate_hz, "frame rate of images without timestamps, Hz")
-      ->check(NumberRange(1e-3, 1e6));
+  AddStoredImageOptions(*command, arguments->stored);
   AddSelectionOptions(*command, arguments->selection);
   command
       ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")

@@ -35,11 +35,8 @@ std::optional<StatedCamera> ReadGivenCamera(const RunArguments& arguments) {
 }
 
 InputOptions OptionsOf(const RunArguments& arguments, const std::optional<StatedCamera>& camera) {
-  InputOptions options;
-  options.frame_rate_hz = arguments.frame_rate_hz;
+  InputOptions options = arguments.stored;
   if (camera && camera->frame_rate_hz) options.default_frame_rate_hz = *camera->frame_rate_hz;
-  options.times = arguments.times;
-  options.bits = arguments.bits;
   return options;
 }
 
@@ -151,22 +148,6 @@ void AddFocalOptions(CLI::App& command, CLI::Option* camera, RunArguments& argum
       ->excludes(focal);
 }
 
-/// Adds the options on what image files do not say: their times, and the used bits of 16.
-void AddStoredImageOptions(CLI::App& command, RunArguments& arguments) {
-  command
-      .add_option("--fps", arguments.frame_rate_hz,
-                  "frame rate of images without timestamps, Hz; overrides a video's timestamps "
-                  "and those in file names")
-      ->check(NumberRange(1e-3, 1e6));
-  command.add_option("--times", arguments.times,
-                     "file with the time of each image, one per line, alone or beside its name, in "
-                     "s, ms, us or ns; overrides all other timestamps");
-  command
-      .add_option("--bits", arguments.bits,
-                  "number of used bits of 16-bit images; overrides what their gray levels say")
-      ->check(CLI::Range(8, 16));
-}
-
 /// Returns the warnings about the camera if it was given as numbers: by a file or by the dataset.
 std::vector<std::string> CheckGivenCamera(const RunArguments& arguments,
                                           const CameraParameters& camera) {
@@ -205,6 +186,21 @@ cv::Size ParseResize(const std::string& text, const cv::Size& size) {
   return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
 }
 
+void AddStoredImageOptions(CLI::App& command, InputOptions& options) {
+  command
+      .add_option("--fps", options.frame_rate_hz,
+                  "frame rate of images without timestamps, Hz; overrides a video's timestamps "
+                  "and those in file names")
+      ->check(NumberRange(1e-3, 1e6));
+  command.add_option("--times", options.times,
+                     "file with the time of each image, one per line, alone or beside its name, in "
+                     "s, ms, us or ns; overrides all other timestamps");
+  command
+      .add_option("--bits", options.bits,
+                  "number of used bits of 16-bit images; overrides what their gray levels say")
+      ->check(CLI::Range(8, 16));
+}
+
 void AddSelectionOptions(CLI::App& command, Selection& selection) {
   command.add_option("--start", selection.start, "index of the first image, starting at 0")
       ->check(CLI::Range(0, 1000000000));
@@ -226,7 +222,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
       "DSO or others, FILE:NAME for one of several cameras in it, or the name of "
       "a shipped camera (tum_fr1); overrides the dataset's calibration");
   AddFocalOptions(command, camera, arguments);
-  AddStoredImageOptions(command, arguments);
+  AddStoredImageOptions(command, arguments.stored);
   command.add_flag("--strict", arguments.strict,
                    "make an image that cannot be read or has another size an error; otherwise its "
                    "frame has no pose and tracking goes on");

@@ -28,9 +28,7 @@ struct RunArguments {
   std::filesystem::path truth;     ///< "none" disables the dataset's ground truth, too.
   std::optional<double> max_dt_s;  ///< Maximum time difference of compared poses; see HalfFrame().
   std::filesystem::path mask;
-  std::optional<double> frame_rate_hz;
-  std::filesystem::path times;            ///< File with the times of the images.
-  std::optional<int> bits;                ///< Used bits of 16-bit images.
+  InputOptions stored;                    ///< What is given of the times and levels of images.
   std::filesystem::path drawings;         ///< Folder or film for drawings of the tracked features.
   std::filesystem::path plot;             ///< File for a plot beside that of the results.
   std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
@@ -55,6 +53,9 @@ struct RunInputs {
 
 /// Adds --start, --every and --count.
 void AddSelectionOptions(CLI::App& command, Selection& selection);
+
+/// Adds --fps, --times and --bits: what image files do not say.
+void AddStoredImageOptions(CLI::App& command, InputOptions& options);
 
 /// Adds INPUT and the options that select the images and their camera.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);

@@ -110,7 +110,7 @@ std::string CameraSource(const RunArguments& arguments) {
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
 }
 
-/// Adds those of --start, --every, --count, --resize, --mask and --fps that were given.
+/// Adds those of --start, --every, --count, --resize, --mask, --fps, --times and --bits that were given.
 Json PathOrNull(const std::filesystem::path& path) {
   return path.empty() ? Json() : Json(path.string());
 }
@@ -128,7 +128,10 @@ void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json
   if (selection.count) json["count"] = *selection.count;
   if (!arguments.resize.empty()) json["resize"] = arguments.resize;
   if (!arguments.mask.empty()) json["mask"] = arguments.mask.string();
-  if (arguments.frame_rate_hz) json["fps"] = *arguments.frame_rate_hz;
+  const InputOptions& stored = arguments.stored;
+  if (stored.frame_rate_hz) json["fps"] = *stored.frame_rate_hz;
+  if (!stored.times.empty()) json["times"] = stored.times.string();
+  if (stored.bits) json["bits"] = *stored.bits;
 }
 
 /// Returns std::nullopt and logs a warning if there are too few poses to be compared.

@@ -63,6 +63,15 @@ TEST_F(Calibrate, WritesNothingIfTrackingFails) {
   EXPECT_FALSE(fs::exists(camera_));
 }
 
+TEST_F(Calibrate, ReadsTheGivenTimesAsRunDoes) {
+  WriteFolder(folder_ / "noise", 5);
+  WriteText(folder_ / "times", "1\n2\n3\n4\n");
+  ExpectError(RunCorvo({"calibrate", folder_ / "noise", "--times", folder_ / "times", "--bits",
+                        "12", "-o", camera_}),
+              "5 images");
+  EXPECT_FALSE(fs::exists(camera_));
+}
+
 TEST_F(Calibrate, ErrorsNameTheInvalidInput) {
   WriteFolder(folder_ / "noise", 3);
   WriteImage(folder_ / "large/0.png", TinyImage(0, 128, 96));
