@@ -8,13 +8,13 @@ COLMAP gets every posed image, as from a film; one camera (OPENCV), SIFT on the 
 sequential matching with 10 neighbors, as its automatic reconstruction of videos does. Needs pycolmap
 (scripts/install_dependencies.sh --development).
 
-usage: .venv/bin/python scripts/compare_with_colmap.py INPUT [TRUTH]
+usage: .venv/bin/python scripts/compare_with_colmap.py INPUT [--truth FILE] [OPTIONS OF corvo run]
 """
+import argparse
 import json
 import pathlib
 import resource
 import subprocess
-import sys
 import tempfile
 
 import numpy as np
@@ -66,15 +66,19 @@ def report(name, model, seconds, truth):
 
 
 def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("input")
+    parser.add_argument("--truth")
+    arguments, run_options = parser.parse_known_args()
     work = pathlib.Path(tempfile.mkdtemp())
     result, model = work / "result", work / "model"
     before = processor_s(resource.RUSAGE_CHILDREN)
-    subprocess.run([CORVO, "run", sys.argv[1], "--focal", "auto", "-o", result, "--quiet"],
-                   check=True)
+    subprocess.run([CORVO, "run", arguments.input, "--focal", "auto", "-o", result, "--quiet",
+                    *run_options], check=True)
     subprocess.run([CORVO, "export", result, "--to", "colmap", "--images", "-o", model],
                    check=True, stdout=subprocess.DEVNULL)
     corvo_s = processor_s(resource.RUSAGE_CHILDREN) - before
-    truth = truth_by_name(result, sys.argv[2]) if len(sys.argv) > 2 else {}
+    truth = truth_by_name(result, arguments.truth) if arguments.truth else {}
     report("corvo", pycolmap.Reconstruction(model / "sparse/0"), corvo_s, truth)
 
     images = work / "all/images"
