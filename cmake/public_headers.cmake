@@ -16,6 +16,7 @@ set(corvo_public_headers
   vo/camera/camera.h
   vo/camera/camera_fit.h
   vo/camera/camera_parameters.h
+  vo/camera/camera_information.h
   vo/camera/camera_prior.h
   vo/core/adjustment_status.h
   vo/core/conventions.h

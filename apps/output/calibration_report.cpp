@@ -28,6 +28,7 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
   const bool is_refined = refinement && refinement->adjustment.estimate.covariance.rows() > 0;
   CalibrationReport report;
   report.prior_rejected = odometry.prior_rejected();
+  report.is_consistent = odometry.camera_estimate().is_consistent;
   report.camera = is_refined ? refinement->adjustment.camera : odometry.camera().parameters();
   report.sigma = Posterior(prior.free, is_refined ? refinement->adjustment.estimate.covariance
                                                   : odometry.camera_estimate().covariance);
@@ -40,7 +41,8 @@ CalibrationReport ReportCalibration(const Odometry& odometry,
 
 nlohmann::ordered_json ToJson(const CalibrationReport& report) {
   if (report.estimates.empty()) return nullptr;
-  nlohmann::ordered_json json = {{"prior_rejected", report.prior_rejected}};
+  nlohmann::ordered_json json = {{"prior_rejected", report.prior_rejected},
+                                 {"consistent", report.is_consistent}};
   for (const CalibrationReport::Estimate& e : report.estimates) {
     json[e.name] = {{"given", e.given},
                     {"value", e.value},

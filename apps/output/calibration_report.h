@@ -25,6 +25,7 @@ struct CalibrationReport {
 
   std::vector<Estimate> estimates;  ///< Empty if the camera is not estimated.
   bool prior_rejected = false;      ///< See Odometry::prior_rejected().
+  bool is_consistent = true;        ///< See CameraEstimate.
   CameraParameters camera;
   std::vector<FreeParameter> sigma;  ///< Standard deviations as written to camera files.
 };

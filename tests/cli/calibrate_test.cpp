@@ -24,6 +24,7 @@ class Calibrate : public testing::Test {
 };
 
 TEST_F(Calibrate, FindsACameraFromItsImagesAlone) {
+  CORVO_SKIP_IF_SHORT();
   const fs::path room = folder_ / "room";
   ASSERT_EQ(RunCorvo({"synth", "room", "-o", room, "--frames", "80", "--width", "400"}).exit_code,
             0);
@@ -38,7 +39,6 @@ TEST_F(Calibrate, FindsACameraFromItsImagesAlone) {
   ASSERT_TRUE(found.sigma);
   EXPECT_EQ(found.sigma->front().name, "focal");
   EXPECT_LT(found.sigma->front().sigma, 0.02);
-  if (IsShortRun()) return;
   const fs::path again = folder_ / "again/camera.yaml";
   ASSERT_EQ(RunCorvo({"calibrate", room / "rgb", "-o", again, "--threads", "2"}).exit_code, 0);
   EXPECT_EQ(ReadText(again), ReadText(camera_));

@@ -73,6 +73,15 @@ TEST(CountReasons, CountsFramesWithoutAPose) {
                                    testing::Pair(Reason::kTooFewInliers, 1)));
 }
 
+TEST(ContradictionWarning, TellsAContradictedCameraFromOneThatChanges) {
+  CalibrationReport report;
+  EXPECT_EQ(ContradictionWarning(report), "");
+  report.prior_rejected = true;
+  EXPECT_THAT(ContradictionWarning(report), testing::HasSubstr("contradict the given camera"));
+  report.is_consistent = false;
+  EXPECT_THAT(ContradictionWarning(report), testing::HasSubstr("it was zoomed or focused"));
+}
+
 TEST(ScaleWarning, NamesTheFramesWhoseScaleIsUncertain) {
   Trajectory trajectory;
   for (int i = 0; i < 60; ++i) {

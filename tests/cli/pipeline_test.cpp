@@ -333,7 +333,8 @@ TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
     EXPECT_GT(measures["observations"], 500);
     EXPECT_LT(measures["mean_error"], 0.5) << "px";
     EXPECT_LT(measures["stated"], 1e-6) << "px: pycolmap projects as corvo does";
-    EXPECT_GT(measures["cost_ratio"], 0.8);
+    // COLMAP counts all observations alike, corvo by the size of their octave's pixels.
+    EXPECT_GT(measures["cost_ratio"], 0.7);
     EXPECT_LT(measures["moved"], 0.005);
   }
 }

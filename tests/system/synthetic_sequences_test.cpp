@@ -16,7 +16,7 @@ using synthetic::SequenceOptions;
 SequenceOptions MakeOptions(int frames, int width, double noise_sigma) {
   SequenceOptions options;
   options.frames = test::IsShortRun() ? std::min(frames, 12) : frames;
-  options.width = width;
+  options.width = test::IsShortRun() ? width / 2 : width;
   options.noise_sigma = noise_sigma;
   return options;
 }

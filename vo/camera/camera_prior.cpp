@@ -124,10 +124,16 @@ CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& o
           {{kFocal, options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
 }
 
+Eigen::MatrixXd PriorInformation(const CameraPrior& prior) {
+  Eigen::VectorXd information(prior.num_free());
+  for (int i = 0; i < prior.num_free(); ++i) information[i] = std::pow(prior.free[i].sigma, -2);
+  return information.asDiagonal();
+}
+
 CameraEstimate PriorEstimate(const CameraPrior& prior) {
   Eigen::VectorXd variances(prior.num_free());
   for (int i = 0; i < prior.num_free(); ++i) variances[i] = std::pow(prior.free[i].sigma, 2);
-  return {Eigen::VectorXd::Zero(prior.num_free()), variances.asDiagonal()};
+  return {Eigen::VectorXd::Zero(prior.num_free()), variances.asDiagonal(), true};
 }
 
 std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,

@@ -76,7 +76,13 @@ CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& o
 struct CameraEstimate {
   Eigen::VectorXd difference;
   Eigen::MatrixXd covariance;
+  /// Whether the parts of the sequence agree on the camera. If not, it was zoomed or focused, or
+  /// its model lacks something; the covariance is then inflated, see CameraBlocks.
+  bool is_consistent = true;
 };
+
+/// Returns the information of the prior: a diagonal matrix, with zeros for what is unknown.
+Eigen::MatrixXd PriorInformation(const CameraPrior& prior);
 
 /// Returns the estimate before the first image: no difference, with the variances of the prior.
 CameraEstimate PriorEstimate(const CameraPrior& prior);

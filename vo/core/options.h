@@ -376,12 +376,13 @@ struct CalibrationOptions {
   double focal_sigma = 0.002;         // The value that a board calibration states.
   double k1_sigma = 0.03;             // ablation
   double k2_sigma = 0.02;             // ablation
+  int block_keyframes = 30;           // ablation
   int max_keyframes = 60;             // ablation
   int points_per_keyframe = 200;      // ablation
   int max_points = 4000;              // ablation
   int max_iterations = 10;            // ablation
   double huber_sigmas = 1;            // ablation
-  double information_factor = 3.5;    // docs/calibration.md
+  double information_factor = 0.5;    // docs/calibration.md
   double gross_error_sigmas = 10;     // ablation
   int min_keyframes = 5;              // ablation
   double growth = 4.0 / 3;            // ablation
@@ -401,8 +402,10 @@ struct CalibrationOptions {
   }
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
+    field("block_keyframes", self.block_keyframes, 2, 1000,
+          "keyframes of a block; the camera is estimated from all blocks");
     field("max_keyframes", self.max_keyframes, 2, 1000,
-          "newest keyframes from which the camera is estimated");
+          "newest keyframes that are adjusted to an estimate of the camera");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
           "points of each keyframe in an estimate, longest tracks first");
     field("max_points", self.max_points, 10, 10000000, "points of an estimate, about");

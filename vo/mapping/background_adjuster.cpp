@@ -5,16 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/LU>
+
 namespace corvo {
 namespace {
-
-/// Returns the number of active keyframes in the segment of the newest one.
-int CountActive(const Map& map) {
-  const int segment = map.SegmentOf(map.num_keyframes() - 1);
-  const std::vector<KeyframeId> active = map.ActiveKeyframes();
-  return static_cast<int>(std::count_if(
-      active.begin(), active.end(), [&](KeyframeId id) { return map.SegmentOf(id) == segment; }));
-}
 
 /// Returns the number of frames from the previous active keyframe to the newest, or 0 if there is
 /// none in the segment.
@@ -33,28 +27,39 @@ int WindowLatency(const Map& map, const BundleAdjusterOptions& options) {
   return std::clamp(NewestSpacing(map) - 1, options.min_latency_frames, options.max_latency_frames);
 }
 
+/// Returns whether an estimate is less certain than another, as a whole, although no disagreement
+/// has been found: an adjustment that converged worse.
+bool IsLessCertain(const CameraEstimate& estimate, const CameraEstimate& than) {
+  return estimate.is_consistent &&
+         estimate.covariance.determinant() > than.covariance.determinant();
+}
+
 }  // namespace
 
 BackgroundAdjuster::BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options)
-    : prior_(prior), options_(options) {
+    : prior_(prior), options_(options), finished_(prior) {
   prior_.Validate();
   if (!options.calibration.enabled) prior_.free.clear();
-  estimate_ = PriorEstimate(prior_);
+  finished_ = CameraBlocks(prior_);
+  estimate_ = finished_.Estimate();
 }
 
 void BackgroundAdjuster::Start(int frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;
   if (window_.IsRunning() || newest == newest_) return;
   newest_ = newest;
-  if (!calibration_.IsRunning() && CountActive(map) >= NextCalibration()) {
-    StartCalibration(frame, map);
+  if (!calibration_.IsRunning()) {
+    EnterSegment(map);
+    if (IsCalibrationDue(map)) StartCalibration(frame, map);
   }
   StartWindow(frame, map);
 }
 
 void BackgroundAdjuster::StartLastCalibration(int frame, const Map& map) {
-  if (prior_rejected_ || newest_calibrated_ == map.num_keyframes() - 1) return;
-  if (CountActive(map) >= options_.calibration.min_keyframes) StartCalibration(frame, map);
+  EnterSegment(map);
+  if (prior_rejected_ || block_.newest == map.num_keyframes() - 1) return;
+  const int num_keyframes = static_cast<int>(KeyframesOfBlock(map).size());
+  if (num_keyframes >= options_.calibration.min_keyframes) StartCalibration(frame, map);
 }
 
 UsedAdjustments BackgroundAdjuster::UseResults(int frame, Map& map) {
@@ -66,10 +71,41 @@ UsedAdjustments BackgroundAdjuster::UseResults(int frame, Map& map) {
   return used;
 }
 
-int BackgroundAdjuster::NextCalibration() const {
+void BackgroundAdjuster::EnterSegment(const Map& map) {
+  KeyframeId first = map.num_keyframes() - 1;
+  const int segment = map.SegmentOf(first);
+  if (segment == block_.segment) return;
+  // Keyframes of earlier visits to the segment belong to other blocks.
+  while (first > block_.first && first > block_.newest + 1 && map.SegmentOf(first - 1) == segment) {
+    --first;
+  }
+  EndBlock(first, segment);
+}
+
+void BackgroundAdjuster::EndBlock(KeyframeId first, int segment) {
+  if (block_.information.matrix.size() > 0) finished_.Add(block_.information);
+  num_finished_keyframes_ += block_.num_keyframes;
+  block_ = Block();
+  block_.first = first;
+  block_.segment = segment;
+}
+
+std::vector<KeyframeId> BackgroundAdjuster::KeyframesOfBlock(const Map& map) const {
+  std::vector<KeyframeId> keyframes = map.ActiveKeyframes();
+  std::erase_if(keyframes, [&](KeyframeId id) {
+    return id < block_.first || map.SegmentOf(id) != block_.segment;
+  });
+  return keyframes;
+}
+
+bool BackgroundAdjuster::IsCalibrationDue(const Map& map) const {
   const CalibrationOptions& options = options_.calibration;
+  const int num_keyframes = static_cast<int>(KeyframesOfBlock(map).size());
+  if (num_keyframes < options.min_keyframes) return false;
+  if (num_keyframes >= options.block_keyframes) return true;
   const double growth = prior_rejected_ ? options.growth_after_rejection : options.growth;
-  return std::max(options.min_keyframes, static_cast<int>(growth * num_calibrated_));
+  const int num_estimated = num_finished_keyframes_ + block_.num_keyframes;
+  return num_finished_keyframes_ + num_keyframes >= static_cast<int>(growth * num_estimated);
 }
 
 void BackgroundAdjuster::StartWindow(int frame, const Map& map) {
@@ -87,23 +123,19 @@ void BackgroundAdjuster::StartWindow(int frame, const Map& map) {
 void BackgroundAdjuster::StartCalibration(int frame, const Map& map) {
   if (prior_.num_free() == 0) return;
   const CalibrationOptions& options = options_.calibration;
-  num_calibrated_ = CountActive(map);
-  newest_calibrated_ = map.num_keyframes() - 1;
+  const std::vector<KeyframeId> keyframes = KeyframesOfBlock(map);
+  block_.num_keyframes = static_cast<int>(keyframes.size());
+  block_.newest = keyframes.back();
   calibration_.due_frame =
-      frame + std::min(options.max_latency_frames, num_calibrated_ + options.latency_frames);
-  const AdjustmentWindow window = SelectNewestKeyframes(
-      map, newest_calibrated_, options.max_keyframes, options_.bundle_adjuster);
-  const int num_free = static_cast<int>(window.free.size());
-  calibration_.result = std::async(
-      std::launch::async,
-      [prior = prior_, start = prior_.Apply(estimate_.difference),
-       adjuster = BundleAdjuster(CalibrationAdjustment(options, num_free))](Bundle&& bundle) {
-        std::vector<Bundle> bundles;
-        bundles.push_back(std::move(bundle));
-        const AdjustmentSummary summary = adjuster.Adjust(prior, start, bundles);
-        return Result{std::move(bundles.front()), summary};
-      },
-      CopyBundle(map, window));
+      frame + std::min(options.max_latency_frames, block_.num_keyframes + options.latency_frames);
+  CameraEstimator estimator(prior_, estimate_, options, finished_,
+                            CopyBundle(map, {keyframes, {}, map.FindObserved(keyframes)}));
+  if (finished_.size() > 0) {
+    estimator.AdjustToCamera(
+        CopyBundle(map, SelectNewestKeyframes(map, block_.newest, options.max_keyframes,
+                                              options_.bundle_adjuster)));
+  }
+  calibration_.result = std::async(std::launch::async, std::move(estimator));
 }
 
 AdjustmentStatus BackgroundAdjuster::UseWindow(Map& map) {
@@ -113,17 +145,23 @@ AdjustmentStatus BackgroundAdjuster::UseWindow(Map& map) {
 }
 
 AdjustmentStatus BackgroundAdjuster::UseCalibration(Map& map) {
-  const Result result = calibration_.result.get();
-  if (!result.summary.is_usable()) return result.summary.status;
-  prior_rejected_ = !prior_.PassesChiSquareTest(result.summary.estimate.difference);
+  const CalibratedBundle result = calibration_.result.get();
+  if (!IsUsable(result.status)) return result.status;
+  const bool is_kept = IsLessCertain(result.estimate, estimate_);
+  if (!is_kept) block_.information = result.of_block;
+  if (block_.num_keyframes >= options_.calibration.block_keyframes) {
+    EndBlock(block_.newest + 1, block_.segment);
+  }
+  if (is_kept) return result.status;
+  prior_rejected_ = !prior_.PassesChiSquareTest(result.estimate.difference);
   if (!prior_rejected_) WriteBack(result.bundle, map);
-  estimate_ = prior_rejected_ ? PriorEstimate(prior_) : result.summary.estimate;
+  estimate_ = prior_rejected_ ? PriorEstimate(prior_) : result.estimate;
   const Camera camera(prior_.Apply(estimate_.difference));
   if (camera != map.camera()) {
     map.SetCamera(camera);
     newest_ = kNoId;  // The newest keyframes must be adjusted to the new camera.
   }
-  return result.summary.status;
+  return result.status;
 }
 
 }  // namespace corvo

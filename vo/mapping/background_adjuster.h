@@ -2,20 +2,25 @@
 #pragma once
 
 #include <future>
+#include <vector>
 
 #include "vo/camera/camera_prior.h"
 #include "vo/core/adjustment_status.h"
 #include "vo/core/conventions.h"
 #include "vo/core/options.h"
 #include "vo/map/map.h"
+#include "vo/mapping/camera_blocks.h"
+#include "vo/mapping/camera_estimator.h"
 #include "vo/optimization/bundle_adjuster.h"
 
 namespace corvo {
 
 /// Adjusts a map on threads of its own, in parallel to the following frames: the window of each new
-/// keyframe and, whenever the number of keyframes has grown by a factor, the newest keyframes
-/// together with the camera. At most one adjustment of each kind runs at a time. Results are
-/// applied at fixed frames, however long they took, so that the map does not depend on timing.
+/// keyframe and, whenever the number of keyframes has grown by a factor or a block of keyframes is
+/// complete, that block together with the camera. The camera is estimated from all blocks, see
+/// CameraBlocks, and the newest keyframes are adjusted to it. At most one adjustment of each kind
+/// runs at a time. Results are applied at fixed frames, however long they took, so that the map
+/// does not depend on timing.
 class BackgroundAdjuster {
  public:
   /// Throws corvo::Error if the prior is invalid.
@@ -45,6 +50,7 @@ class BackgroundAdjuster {
     AdjustmentSummary summary;
   };
   /// An adjustment, in progress while `result` is valid.
+  template <typename Result>
   struct Job {
     std::future<Result> result;
     int due_frame = 0;
@@ -53,8 +59,23 @@ class BackgroundAdjuster {
     bool IsDue(int frame) const { return IsRunning() && frame >= due_frame; }
   };
 
-  /// Returns the number of keyframes of a segment at which the camera is estimated next.
-  int NextCalibration() const;
+  /// The keyframes of one segment since the previous block, and what they tell of the camera.
+  struct Block {
+    KeyframeId first = 0;  // No keyframe before it belongs to the block.
+    int segment = 0;
+    int num_keyframes = 0;  // At the newest estimate, as the following.
+    KeyframeId newest = kNoId;
+    CameraInformation information;
+  };
+
+  /// Ends the block if the newest keyframe belongs to another segment.
+  void EnterSegment(const Map& map);
+  /// Ends the block and starts one of `segment`, with keyframes from `first` on.
+  void EndBlock(KeyframeId first, int segment);
+  /// Returns the block's active keyframes, in ascending order.
+  std::vector<KeyframeId> KeyframesOfBlock(const Map& map) const;
+  bool IsCalibrationDue(const Map& map) const;
+
   void StartWindow(int frame, const Map& map);
   void StartCalibration(int frame, const Map& map);
   AdjustmentStatus UseWindow(Map& map);
@@ -62,12 +83,13 @@ class BackgroundAdjuster {
 
   CameraPrior prior_;
   OdometryOptions options_;
-  Job window_;
-  Job calibration_;
+  Job<Result> window_;
+  Job<CalibratedBundle> calibration_;
   KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
   CameraEstimate estimate_;
-  int num_calibrated_ = 0;                // Number of keyframes in the newest estimate.
-  KeyframeId newest_calibrated_ = kNoId;  // Newest keyframe in that estimate.
+  CameraBlocks finished_;  // All but the newest block.
+  int num_finished_keyframes_ = 0;
+  Block block_;
   bool prior_rejected_ = false;
 };
 

@@ -38,6 +38,8 @@ AdjustmentSummary AdjustMapCamera(const Map& map, const std::vector<KeyframeGrou
     num_keyframes += static_cast<int>(group.size());
   }
   AdjustmentOptions adjustment = CalibrationAdjustment(CalibrationOptions(), num_keyframes);
+  // The thresholds of those who judge the estimate were chosen with this factor.
+  adjustment.information_factor = 3.5;
   adjustment.num_rounds = 2;
   adjustment.max_iterations = 20;
   return BundleAdjuster(adjustment).Adjust(prior, map.camera().parameters(), bundles);

@@ -144,17 +144,19 @@ Eigen::MatrixXd Invert(const Eigen::MatrixXd& information) {
 
 }  // namespace
 
-Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const AdjustmentState& state) {
-  if (prior.num_free() == 0) return {};
-  const DifferentiableCamera adjusted(prior, state.difference);
+Eigen::MatrixXd ObservedInformation(const CameraPrior& prior, const AdjustmentState& state) {
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(prior.num_free(), prior.num_free());
-  for (int i = 0; i < prior.num_free(); ++i) {
-    information(i, i) = 1 / (prior.free[i].sigma * prior.free[i].sigma);
-  }
+  if (prior.num_free() == 0) return information;
+  const DifferentiableCamera adjusted(prior, state.difference);
   for (std::size_t i = 0; i < state.bundles.size(); ++i) {
     information += InformationOf(state.bundles[i], state.is_joint[i], adjusted, prior.num_free());
   }
-  return Invert(information);
+  return information;
+}
+
+Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const Eigen::MatrixXd& information) {
+  if (prior.num_free() == 0) return {};
+  return Invert(information + PriorInformation(prior));
 }
 
 }  // namespace corvo

@@ -8,11 +8,14 @@
 
 namespace corvo {
 
-/// Returns the covariance of a camera's difference from the given one, determined by the prior and
-/// the inlier observations of the joint points. All poses (fixed ones are known exactly) and points
-/// are marginalized by Schur complements of the normal equations, which are sparse in the views.
-/// Returns infinities if the free parameters cannot be distinguished, and an empty matrix if none
-/// is free. Throws corvo::Error if the difference does not yield a valid camera.
-Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const AdjustmentState& state);
+/// Returns the information of the inlier observations of the joint points about the difference of a
+/// camera from the given one. All poses (fixed ones are known exactly) and points are marginalized
+/// by Schur complements of the normal equations, which are sparse in the views. The matrix is empty
+/// if no parameter is free. Throws corvo::Error if the difference does not yield a valid camera.
+Eigen::MatrixXd ObservedInformation(const CameraPrior& prior, const AdjustmentState& state);
+
+/// Returns the covariance of the difference, given this information and the prior: infinities if
+/// the free parameters cannot be distinguished, and an empty matrix if none is free.
+Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const Eigen::MatrixXd& information);
 
 }  // namespace corvo

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tests/support/matchers.h"
@@ -163,6 +164,59 @@ TEST(BackgroundAdjusterTest, ACameraFarFromThePriorRejectsThePrior) {
   for (KeyframeId id = 0; id < map.num_keyframes(); ++id) {
     EXPECT_EQ(map.WorldFromKeyframe(id), with_fixed_camera.WorldFromKeyframe(id)) << id;
   }
+}
+
+/// Adds `num_views` views of another scene to a map, as a segment of its own.
+void AddSegment(int num_views, const Camera& taken_with, test::Random& random, Map& map) {
+  const Map other = MakeDisturbedMap(num_views, taken_with, random);
+  const KeyframeId first = map.num_keyframes();
+  for (KeyframeId id = 0; id < num_views; ++id) {
+    Frame frame = other.keyframe(id).frame;
+    frame.landmarks.assign(frame.landmarks.size(), kNoId);
+    frame.index += 5 * first;
+    map.AddKeyframe(std::move(frame), 1);
+  }
+  for (LandmarkId id = 0; id < other.num_landmark_ids(); ++id) {
+    const Landmark& landmark = *other.FindLandmark(id);
+    std::vector<TrackElement> track = landmark.track;
+    for (TrackElement& element : track) element.keyframe += first;
+    map.UpdateAppearance(map.AddLandmark(landmark.in_world, track));
+  }
+}
+
+TEST(BackgroundAdjusterTest, ANewSegmentAddsToWhatTheOneBeforeTellsOfTheCamera) {
+  test::Random random(7);
+  CameraParameters true_camera = test::PinholeCamera().parameters();
+  true_camera.k1 = 0.04;
+  Map map = MakeDisturbedMap(14, Camera(true_camera), random);
+  BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
+  const Eigen::VectorXd before = adjuster.camera_estimate().covariance.diagonal();
+  AddSegment(5, Camera(true_camera), random, map);
+  adjuster.StartLastCalibration(0, map);
+  EXPECT_TRUE(adjuster.UseResults(kEnd, map).any());
+  const CameraEstimate& after = adjuster.camera_estimate();
+  EXPECT_TRUE((after.covariance.diagonal().array() < before.array()).all());
+  EXPECT_NEAR(after.difference[1], 0.04, 0.01);
+  EXPECT_TRUE(after.is_consistent);
+}
+
+TEST(BackgroundAdjusterTest, ALensThatChangesIsNoticed) {
+  test::Random random(8);
+  CameraParameters lens = test::PinholeCamera().parameters();
+  Map map = MakeDisturbedMap(14, Camera(lens), random);
+  BackgroundAdjuster adjuster({lens, {{"focal", 0.1}, {"k1", 0.5}}}, OdometryOptions());
+  adjuster.Start(0, map);
+  adjuster.UseResults(kEnd, map);
+  EXPECT_TRUE(adjuster.camera_estimate().is_consistent);
+  const double k1_variance = adjuster.camera_estimate().covariance(1, 1);
+  lens.k1 = 0.15;
+  AddSegment(14, Camera(lens), random, map);
+  adjuster.StartLastCalibration(0, map);
+  adjuster.UseResults(kEnd, map);
+  EXPECT_FALSE(adjuster.camera_estimate().is_consistent);
+  EXPECT_GT(adjuster.camera_estimate().covariance(1, 1), k1_variance);
 }
 
 TEST(BackgroundAdjusterTest, FailureIsReportedAndTheMapIsUnchanged) {

@@ -13,7 +13,7 @@ namespace corvo {
 namespace {
 
 constexpr double kSigmaPx = 0.5;
-constexpr double kNoisePx = 0.3;  ///< Less than kSigmaPx, as in images: estimates rely on it.
+constexpr double kNoisePx = 0.3;
 
 enum class Path { kTurning, kStraight, kTurnInPlace };
 
@@ -75,6 +75,8 @@ double SquaredNormalizedError(const CameraEstimate& estimate, const Eigen::Vecto
 CalibrationOptions LooseOptions() {
   CalibrationOptions options;
   options.focal_sigma = 0.01;
+  // The errors of these observations are independent, unlike those along the tracks of images.
+  options.information_factor = std::pow(kSigmaPx / kNoisePx, 2);
   options.max_iterations = 30;
   return options;
 }

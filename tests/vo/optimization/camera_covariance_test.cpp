@@ -16,7 +16,7 @@ namespace {
 Eigen::MatrixXd CovarianceOf(const CameraPrior& prior, std::vector<Bundle> bundles) {
   AdjustmentState state{bundles, {}, Eigen::VectorXd::Zero(prior.num_free())};
   for (const Bundle& bundle : bundles) state.is_joint.emplace_back(bundle.points.size(), 1);
-  return CameraCovariance(prior, state);
+  return CameraCovariance(prior, ObservedInformation(prior, state));
 }
 
 TEST(CameraCovarianceTest, DuplicatedObservationsHalveTheCovariance) {

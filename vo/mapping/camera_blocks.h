@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "vo/camera/camera_information.h"
+#include "vo/camera/camera_prior.h"
+
+namespace corvo {
+
+/// The estimate of a camera from blocks of keyframes that share no observation. With the prior's
+/// information Λ₀ and the blocks' matrices Hᵢ and vectors ηᵢ, the difference d from the given
+/// camera and its covariance C are
+///
+///     C = s (Λ₀ + Σ Hᵢ)⁻¹,   d = (Λ₀ + Σ Hᵢ)⁻¹ Σ ηᵢ
+///
+/// Nothing counts twice and nothing is forgotten, also across segments and losses. If the blocks
+/// agree, s = 1. They disagree if the χ² of their differences from d, which has a distribution with
+/// (n - 1) p degrees of freedom for n blocks and p parameters, is beyond its 99.9% quantile: the
+/// lens was zoomed or focused, or the model lacks something. Then s = χ² / ((n - 1) p).
+class CameraBlocks {
+ public:
+  explicit CameraBlocks(const CameraPrior& prior) : prior_(prior) {}
+
+  void Add(CameraInformation block) { blocks_.push_back(std::move(block)); }
+
+  int size() const { return static_cast<int>(blocks_.size()); }
+
+  /// Returns the estimate of all blocks: the prior's without one.
+  CameraEstimate Estimate() const;
+
+ private:
+  /// Returns the χ² of the blocks' differences from `difference`.
+  double ChiSquare(const Eigen::VectorXd& difference) const;
+
+  CameraPrior prior_;
+  std::vector<CameraInformation> blocks_;
+};
+
+}  // namespace corvo
