@@ -51,6 +51,7 @@ set(corvo_public_headers
   vo/offline/map_camera.h
   vo/offline/match_residuals.h
   vo/offline/observation_log.h
+  vo/offline/parameter_check.h
   vo/offline/refiner.h
   vo/offline/self_calibration.h
   vo/offline/sequence_record.h

@@ -96,7 +96,7 @@ void Warn(const RunRecord& record, RunSummary& summary) {
         VideoWarning(summary.video), ScaleWarning(summary.uncertain_scale),
         BlurWarning(summary.num_blurred, summary.num_frames), ResidualWarning(summary.residuals),
         FocalLengthWarning(summary.check, map.camera().fx()),
-        ContradictionWarning(summary.calibration)}) {
+        ContradictionWarning(summary.calibration), MisfitWarning(summary.misfitting)}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
     summary.warnings.push_back(warning);
@@ -110,7 +110,8 @@ std::string CameraSource(const RunArguments& arguments) {
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
 }
 
-/// Adds those of --start, --every, --count, --resize, --mask, --fps, --times and --bits that were given.
+/// Adds those of --start, --every, --count, --resize, --mask, --fps, --times and --bits that were
+/// given.
 Json PathOrNull(const std::filesystem::path& path) {
   return path.empty() ? Json() : Json(path.string());
 }
@@ -248,6 +249,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = Measure(record.odometry);
   summary.check = CheckCalibration(map);
+  summary.misfitting = FindMisfittingParameters(map);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   summary.uncertain_scale = UncertainScaleRanges(trajectory);

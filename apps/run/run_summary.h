@@ -18,6 +18,7 @@
 #include "vo/evaluation/evaluation.h"
 #include "vo/offline/calibration_check.h"
 #include "vo/offline/match_residuals.h"
+#include "vo/offline/parameter_check.h"
 
 namespace corvo {
 
@@ -43,6 +44,7 @@ struct RunSummary {
   std::string why_not_kitti;  ///< Why there is no trajectory.kitti; empty if there is one.
   std::optional<MatchResiduals> residuals;
   CalibrationCheck check;
+  std::vector<MisfittingParameter> misfitting;
   CalibrationReport calibration;
   std::vector<FrameRange> uncertain_scale;     ///< Frames at which the scale may have changed.
   std::vector<std::string> warnings;           ///< What is doubtful about the result.

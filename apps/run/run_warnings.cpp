@@ -99,6 +99,17 @@ std::string FocalLengthWarning(const CalibrationCheck& check, double fx) {
       check.num_agreeing, check.num_parts, check.focal_px, fx);
 }
 
+std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters) {
+  if (parameters.empty()) return "";
+  std::string text;
+  for (const MisfittingParameter& parameter : parameters) {
+    text += fmt::format("{}{} {:.4g} ± {:.2g} (used: {:.4g})", text.empty() ? "" : ", ",
+                        parameter.name == "focal" ? "fx" : parameter.name, parameter.fitted,
+                        parameter.sigma, parameter.used);
+  }
+  return "the map fits another calibration than the given one: " + text;
+}
+
 std::string ContradictionWarning(const CalibrationReport& report) {
   if (!report.is_consistent) {
     return "parts of the sequence disagree about the camera by more than their standard deviations "

@@ -11,6 +11,7 @@
 #include "vo/core/trajectory.h"
 #include "vo/offline/calibration_check.h"
 #include "vo/offline/match_residuals.h"
+#include "vo/offline/parameter_check.h"
 
 namespace corvo {
 
@@ -43,5 +44,6 @@ std::string BlurWarning(int num_blurred, int num_frames);
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
 std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
 std::string ContradictionWarning(const CalibrationReport& report);
+std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters);
 
 }  // namespace corvo

@@ -82,6 +82,13 @@ TEST(ContradictionWarning, TellsAContradictedCameraFromOneThatChanges) {
   EXPECT_THAT(ContradictionWarning(report), testing::HasSubstr("it was zoomed or focused"));
 }
 
+TEST(MisfitWarning, NamesTheParametersWithBothValues) {
+  EXPECT_EQ(MisfitWarning({}), "");
+  EXPECT_EQ(MisfitWarning({{"cy", 193.2, 183, 1.5}, {"focal", 700, 712, 2}}),
+            "the map fits another calibration than the given one: cy 183 ± 1.5 (used: 193.2), fx "
+            "712 ± 2 (used: 700)");
+}
+
 TEST(ScaleWarning, NamesTheFramesWhoseScaleIsUncertain) {
   Trajectory trajectory;
   for (int i = 0; i < 60; ++i) {

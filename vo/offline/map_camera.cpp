@@ -30,7 +30,7 @@ std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups, int mi
 }
 
 AdjustmentSummary AdjustMapCamera(const Map& map, const std::vector<KeyframeGroup>& groups,
-                                  const CameraPrior& prior) {
+                                  const CameraPrior& prior, double information_factor) {
   std::vector<Bundle> bundles;
   int num_keyframes = 0;
   for (const KeyframeGroup& group : groups) {
@@ -38,8 +38,7 @@ AdjustmentSummary AdjustMapCamera(const Map& map, const std::vector<KeyframeGrou
     num_keyframes += static_cast<int>(group.size());
   }
   AdjustmentOptions adjustment = CalibrationAdjustment(CalibrationOptions(), num_keyframes);
-  // The thresholds of those who judge the estimate were chosen with this factor.
-  adjustment.information_factor = 3.5;
+  adjustment.information_factor = information_factor;
   adjustment.num_rounds = 2;
   adjustment.max_iterations = 20;
   return BundleAdjuster(adjustment).Adjust(prior, map.camera().parameters(), bundles);

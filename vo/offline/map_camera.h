@@ -20,8 +20,10 @@ std::vector<KeyframeGroup> SplitKeyframes(const Map& map, int num_groups, int mi
 /// Adjusts copies of groups of keyframes, their landmarks and the camera, starting from the map's
 /// camera, like CalibrationAdjustment() with its default options, but until it converges and twice:
 /// outliers are excluded before the second time. Keyframes outside the groups have no influence.
-/// The map does not change. Throws corvo::Error if the prior is invalid.
+/// The map does not change. `information_factor` is that of AdjustmentOptions; the thresholds of
+/// CheckCalibration() and FindCamera() were chosen with the default. Throws corvo::Error if the
+/// prior is invalid.
 AdjustmentSummary AdjustMapCamera(const Map& map, const std::vector<KeyframeGroup>& groups,
-                                  const CameraPrior& prior);
+                                  const CameraPrior& prior, double information_factor = 3.5);
 
 }  // namespace corvo
