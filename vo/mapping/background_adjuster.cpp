@@ -146,13 +146,12 @@ AdjustmentStatus BackgroundAdjuster::UseWindow(Map& map) {
 
 AdjustmentStatus BackgroundAdjuster::UseCalibration(Map& map) {
   const CalibratedBundle result = calibration_.result.get();
-  if (!IsUsable(result.status)) return result.status;
-  const bool is_kept = IsLessCertain(result.estimate, estimate_);
-  if (!is_kept) block_.information = result.of_block;
+  const bool is_used = IsUsable(result.status) && !IsLessCertain(result.estimate, estimate_);
+  if (is_used) block_.information = result.of_block;
   if (block_.num_keyframes >= options_.calibration.block_keyframes) {
     EndBlock(block_.newest + 1, block_.segment);
   }
-  if (is_kept) return result.status;
+  if (!is_used) return result.status;
   prior_rejected_ = !prior_.PassesChiSquareTest(result.estimate.difference);
   if (!prior_rejected_) WriteBack(result.bundle, map);
   estimate_ = prior_rejected_ ? PriorEstimate(prior_) : result.estimate;

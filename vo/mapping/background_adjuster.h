@@ -50,9 +50,9 @@ class BackgroundAdjuster {
     AdjustmentSummary summary;
   };
   /// An adjustment, in progress while `result` is valid.
-  template <typename Result>
+  template <typename Outcome>
   struct Job {
-    std::future<Result> result;
+    std::future<Outcome> result;
     int due_frame = 0;
 
     bool IsRunning() const { return result.valid(); }
