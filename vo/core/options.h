@@ -382,7 +382,8 @@ struct CalibrationOptions {
   int max_points = 4000;              // ablation
   int max_iterations = 10;            // ablation
   double huber_sigmas = 1;            // ablation
-  double information_factor = 0.5;    // docs/calibration.md
+  double information_factor = 1.5;    // docs/calibration.md
+  double stated_share = 1.0 / 3;      // docs/calibration.md
   double gross_error_sigmas = 10;     // ablation
   int min_keyframes = 5;              // ablation
   double growth = 4.0 / 3;            // ablation
@@ -414,6 +415,8 @@ struct CalibrationOptions {
           "residual at which Huber's loss becomes linear, in standard deviations");
     field("information_factor", self.information_factor, 0.01, 1000.0,
           "weight of the observations' information beside the prior");
+    field("stated_share", self.stated_share, 0.001, 1.0,
+          "share of that information that counts in the standard deviations");
     field("gross_error_sigmas", self.gross_error_sigmas, 1.0, 1e6,
           "observations with a larger residual are left out of an estimate, standard deviations");
     field("min_keyframes", self.min_keyframes, 2, 1000, "keyframes before the first estimate");

@@ -37,10 +37,10 @@ bool IsLessCertain(const CameraEstimate& estimate, const CameraEstimate& than) {
 }  // namespace
 
 BackgroundAdjuster::BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options)
-    : prior_(prior), options_(options), finished_(prior) {
+    : prior_(prior), options_(options), finished_(prior, options.calibration.stated_share) {
   prior_.Validate();
   if (!options.calibration.enabled) prior_.free.clear();
-  finished_ = CameraBlocks(prior_);
+  finished_ = CameraBlocks(prior_, options.calibration.stated_share);
   estimate_ = finished_.Estimate();
 }
 

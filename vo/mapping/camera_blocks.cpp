@@ -36,7 +36,7 @@ CameraEstimate CameraBlocks::Estimate() const {
     sum.matrix += blocks_[i].matrix;
     sum.vector += blocks_[i].vector;
   }
-  const Eigen::MatrixXd covariance = CameraCovariance(prior_, sum.matrix);
+  const Eigen::MatrixXd covariance = CameraCovariance(prior_, stated_share_ * sum.matrix);
   CameraEstimate estimate{(sum.matrix + PriorInformation(prior_)).ldlt().solve(sum.vector),
                           covariance};
   const int degrees_of_freedom = (size() - 1) * prior_.num_free();
@@ -53,7 +53,7 @@ double CameraBlocks::ChiSquare(const Eigen::VectorXd& difference) const {
   for (const CameraInformation& block : blocks_) {
     sum += SquaredNorm(block.vector - block.matrix * difference, block.matrix);
   }
-  return sum;
+  return stated_share_ * sum;
 }
 
 }  // namespace corvo

@@ -13,15 +13,19 @@ namespace corvo {
 /// information Λ₀ and the blocks' matrices Hᵢ and vectors ηᵢ, the difference d from the given
 /// camera and its covariance C are
 ///
-///     C = s (Λ₀ + Σ Hᵢ)⁻¹,   d = (Λ₀ + Σ Hᵢ)⁻¹ Σ ηᵢ
+///     C = s (Λ₀ + q Σ Hᵢ)⁻¹,   d = (Λ₀ + Σ Hᵢ)⁻¹ Σ ηᵢ
 ///
+/// where q is the share of the information that independent recordings confirm.
 /// Nothing counts twice and nothing is forgotten, also across segments and losses. If the blocks
-/// agree, s = 1. They disagree if the χ² of their differences from d, which has a distribution with
-/// (n - 1) p degrees of freedom for n blocks and p parameters, is beyond its 99.9% quantile: the
-/// lens was zoomed or focused, or the model lacks something. Then s = χ² / ((n - 1) p).
+/// agree, s = 1. They disagree if the χ² of their differences from d (with q Hᵢ), which has a
+/// distribution with (n - 1) p degrees of freedom for n blocks and p parameters, is beyond
+/// its 99.9% quantile: the lens was zoomed or focused, or the model lacks something. Then s = χ² /
+/// ((n - 1) p).
 class CameraBlocks {
  public:
-  explicit CameraBlocks(const CameraPrior& prior) : prior_(prior) {}
+  /// `stated_share` is q.
+  CameraBlocks(const CameraPrior& prior, double stated_share)
+      : prior_(prior), stated_share_(stated_share) {}
 
   void Add(CameraInformation block) { blocks_.push_back(std::move(block)); }
 
@@ -35,6 +39,7 @@ class CameraBlocks {
   double ChiSquare(const Eigen::VectorXd& difference) const;
 
   CameraPrior prior_;
+  double stated_share_;
   std::vector<CameraInformation> blocks_;
 };
 

@@ -47,8 +47,9 @@ std::vector<MisfittingParameter> FindMisfittingParameters(const Map& map,
   const std::vector<KeyframeGroup> groups = SplitKeyframes(map, 1, options.min_keyframes);
   if (groups.empty()) return {};
   const CameraPrior prior = PriorAround(map.camera().parameters(), options);
+  const CalibrationOptions stated;
   const AdjustmentSummary adjusted =
-      AdjustMapCamera(map, groups, prior, CalibrationOptions().information_factor);
+      AdjustMapCamera(map, groups, prior, stated.information_factor * stated.stated_share);
   if (!adjusted.is_usable()) return {};
   std::vector<Fit> fits;
   for (int i = 0; i < prior.num_free(); ++i) {

@@ -36,17 +36,17 @@ Eigen::Vector3d Sigmas(const CameraBlocks& blocks) {
 }
 
 TEST(CameraBlocksTest, WithoutABlockTheEstimateIsThePrior) {
-  const CameraEstimate estimate = CameraBlocks(Prior()).Estimate();
+  const CameraEstimate estimate = CameraBlocks(Prior(), 1).Estimate();
   EXPECT_THAT(estimate.difference, test::IsMatrixNear(Eigen::Vector3d(0, 0, 0), 0));
-  EXPECT_THAT(Sigmas(CameraBlocks(Prior())),
+  EXPECT_THAT(Sigmas(CameraBlocks(Prior(), 1)),
               test::IsMatrixNear(Eigen::Vector3d(0.1, 0.2, 0.3), 1e-15));
-  const CameraBlocks fixed(CameraPrior{test::PinholeCamera().parameters(), {}});
+  const CameraBlocks fixed(CameraPrior{test::PinholeCamera().parameters(), {}}, 1);
   EXPECT_EQ(fixed.Estimate().difference.size(), 0);
 }
 
 TEST(CameraBlocksTest, InformationAddsUp) {
   // One parameter with a prior of 0 ± 1 and measurements of 2 ± 1 and 3 ± 0.5.
-  CameraBlocks blocks({test::PinholeCamera().parameters(), {{"k1", 1}}});
+  CameraBlocks blocks({test::PinholeCamera().parameters(), {{"k1", 1}}}, 1);
   const auto information = [](double value, double sigma) {
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::Constant(1, 1, 1 / (sigma * sigma));
     return CameraInformation{matrix, matrix * Eigen::VectorXd::Constant(1, value)};
@@ -59,9 +59,16 @@ TEST(CameraBlocksTest, InformationAddsUp) {
   EXPECT_DOUBLE_EQ(blocks.Estimate().covariance(0, 0), 1 / 6.0);
 }
 
+TEST(CameraBlocksTest, OnlyTheStatedShareOfTheInformationCountsInTheCovariance) {
+  CameraBlocks blocks({test::PinholeCamera().parameters(), {{"k1", 1}}}, 0.5);
+  blocks.Add({Eigen::MatrixXd::Constant(1, 1, 4), Eigen::VectorXd::Constant(1, 10)});
+  EXPECT_DOUBLE_EQ(blocks.Estimate().difference[0], 10 / 5.0);
+  EXPECT_DOUBLE_EQ(blocks.Estimate().covariance(0, 0), 1 / 3.0);
+}
+
 TEST(CameraBlocksTest, BlocksThatAgreeNeverMakeAParameterLessCertain) {
   test::Random random(1);
-  CameraBlocks blocks(Prior());
+  CameraBlocks blocks(Prior(), 1);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d before = Sigmas(blocks);
     blocks.Add(Measure({0.05, -0.1, 0.2}, 1, random));
@@ -74,11 +81,11 @@ TEST(CameraBlocksTest, BlocksThatAgreeNeverMakeAParameterLessCertain) {
 
 TEST(CameraBlocksTest, BlocksThatDisagreeInflateTheCovariance) {
   test::Random random(2);
-  CameraBlocks zoomed(Prior());
+  CameraBlocks zoomed(Prior(), 1);
   for (int i = 0; i < 4; ++i) zoomed.Add(Measure({i < 2 ? 0.0 : 0.2, 0, 0}, 1, random));
   EXPECT_FALSE(zoomed.Estimate().is_consistent);
   // Errors of four times the stated ones: the covariance is 16 times that of the information.
-  CameraBlocks blocks(Prior());
+  CameraBlocks blocks(Prior(), 1);
   Eigen::Matrix3d information =
       Eigen::Vector3d(0.1, 0.2, 0.3).cwiseAbs2().cwiseInverse().asDiagonal();
   for (int i = 0; i < 300; ++i) {
@@ -95,7 +102,7 @@ TEST(CameraBlocksTest, BlocksWithErrorsAsStatedAreRarelyFoundToDisagree) {
   test::Random random(3);
   int num_inconsistent = 0;
   for (int i = 0; i < 1000; ++i) {
-    CameraBlocks blocks(Prior());
+    CameraBlocks blocks(Prior(), 1);
     for (int block = 0; block < 5; ++block) blocks.Add(Measure({0.1, 0.1, 0.1}, 1, random));
     num_inconsistent += !blocks.Estimate().is_consistent;
   }
@@ -103,7 +110,7 @@ TEST(CameraBlocksTest, BlocksWithErrorsAsStatedAreRarelyFoundToDisagree) {
 }
 
 TEST(CameraBlocksTest, ABlockThatDoesNotDetermineAParameterDoesNotDisagreeAboutIt) {
-  CameraBlocks blocks(Prior());
+  CameraBlocks blocks(Prior(), 1);
   test::Random random(4);
   blocks.Add(Measure({0.1, 0, 0}, 1, random));
   Eigen::Matrix3d only_k1 = Eigen::Matrix3d::Zero();
