@@ -96,7 +96,8 @@ void Warn(const RunRecord& record, RunSummary& summary) {
         VideoWarning(summary.video), ScaleWarning(summary.uncertain_scale),
         BlurWarning(summary.num_blurred, summary.num_frames), ResidualWarning(summary.residuals),
         FocalLengthWarning(summary.check, map.camera().fx()),
-        ContradictionWarning(summary.calibration), MisfitWarning(summary.misfitting)}) {
+        DisagreementWarning(summary.calibration), ContradictionWarning(summary.calibration),
+        MisfitWarning(summary.misfitting)}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
     summary.warnings.push_back(warning);
@@ -110,12 +111,13 @@ std::string CameraSource(const RunArguments& arguments) {
   return arguments.camera.empty() ? "dataset" : arguments.camera.string();
 }
 
-/// Adds those of --start, --every, --count, --resize, --mask, --fps, --times and --bits that were
-/// given.
 Json PathOrNull(const std::filesystem::path& path) {
   return path.empty() ? Json() : Json(path.string());
 }
 
+/// Adds where the images come from, and those of --start, --every, --count, --resize, --mask,
+/// --fps,
+/// --times and --bits that were given.
 void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json& json) {
   const std::filesystem::path& input = arguments.input;
   const ImageNames names(input, source.list());

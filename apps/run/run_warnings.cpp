@@ -110,12 +110,14 @@ std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters) {
   return "the map fits another calibration than the given one: " + text;
 }
 
+std::string DisagreementWarning(const CalibrationReport& report) {
+  if (report.is_consistent) return "";
+  return "parts of the sequence disagree about the camera by more than their standard deviations "
+         "allow: the given calibration is wrong, its lens is not of the given model, or it was "
+         "zoomed or focused; the standard deviations were increased accordingly";
+}
+
 std::string ContradictionWarning(const CalibrationReport& report) {
-  if (!report.is_consistent) {
-    return "parts of the sequence disagree about the camera by more than their standard deviations "
-           "allow: the given calibration is wrong, its lens is not of the given model, or it was "
-           "zoomed or focused; the standard deviations were increased accordingly";
-  }
   if (!report.prior_rejected) return "";
   return "the images contradict the given camera by more than its standard deviations allow; it "
          "was used as given: check its focal length and distortion, or increase their standard "

@@ -43,6 +43,7 @@ std::string ScaleWarning(const std::vector<FrameRange>& ranges);
 std::string BlurWarning(int num_blurred, int num_frames);
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
 std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
+std::string DisagreementWarning(const CalibrationReport& report);
 std::string ContradictionWarning(const CalibrationReport& report);
 std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters);
 

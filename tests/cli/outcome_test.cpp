@@ -78,8 +78,9 @@ TEST(ContradictionWarning, TellsAContradictedCameraFromOneThatChanges) {
   EXPECT_EQ(ContradictionWarning(report), "");
   report.prior_rejected = true;
   EXPECT_THAT(ContradictionWarning(report), testing::HasSubstr("contradict the given camera"));
+  EXPECT_EQ(DisagreementWarning(report), "");
   report.is_consistent = false;
-  EXPECT_THAT(ContradictionWarning(report), testing::HasSubstr("it was zoomed or focused"));
+  EXPECT_THAT(DisagreementWarning(report), testing::HasSubstr("it was zoomed or focused"));
 }
 
 TEST(MisfitWarning, NamesTheParametersWithBothValues) {

@@ -5,18 +5,9 @@
 #include <vector>
 
 #include "tests/support/random.h"
-#include "tests/system/sequence_runner.h"
+#include "tests/system/recording.h"
 
 namespace corvo::test {
-
-/// A short recording in memory with a ground-truth pose for each image.
-struct Recording {
-  std::vector<TimedImage> images;
-  PoseSequence truth;
-  CameraParameters camera;
-
-  int size() const { return static_cast<int>(images.size()); }
-};
 
 /// Returns the recording with every image repeated, 2 or more times in all. A repeated image
 /// differs from its original by at most one gray level, as a codec leaves it.

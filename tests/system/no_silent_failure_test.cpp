@@ -27,18 +27,9 @@ namespace {
 
 using test::Random;
 using test::Recording;
+using test::Render;
 
 constexpr int kNumFrames = 60;
-
-Recording Render(const synthetic::Sequence& sequence) {
-  Recording recording;
-  recording.camera = sequence.camera().parameters();
-  for (int i = 0; i < sequence.size(); ++i) {
-    recording.images.push_back({sequence.Render(i), sequence.poses()[i].time_ns});
-  }
-  recording.truth = sequence.poses();
-  return recording;
-}
 
 synthetic::SequenceOptions RenderOptions(int width) {
   synthetic::SequenceOptions options;

@@ -31,8 +31,8 @@
 namespace corvo {
 namespace {
 
-using synthetic::Sequence;
 using test::Recording;
+using test::Render;
 
 /// Rounding differs between compilers and processors, and changes a few of the decisions of a run.
 constexpr double kRelativeTolerance = 0.005, kAbsoluteTolerance = 1e-4;
@@ -59,17 +59,6 @@ void ExpectReference(const std::string& name, const Figures& figures) {
     const double scale = std::max(std::abs(expected), std::abs(value));
     EXPECT_NEAR(value, expected, kRelativeTolerance * scale + kAbsoluteTolerance) << figure;
   }
-}
-
-/// Renders every n-th frame.
-Recording Render(const Sequence& sequence, int every = 1) {
-  Recording recording;
-  recording.camera = sequence.camera().parameters();
-  for (int i = 0; i < sequence.size(); i += every) {
-    recording.images.push_back({sequence.Render(i), sequence.poses()[i].time_ns});
-    recording.truth.push_back(sequence.poses()[i]);
-  }
-  return recording;
 }
 
 synthetic::SequenceOptions Options(int frames, int width) {
@@ -220,24 +209,6 @@ TEST(ReferenceFigures, OfTwoScenes) {
   ExpectReference("two_scenes", Measure(CutTo(room, wall)));
 }
 
-/// The images of a rendered sequence.
-class RenderedStream : public ImageStream {
- public:
-  explicit RenderedStream(const Recording& recording) : recording_(recording) {}
-
-  std::optional<StreamImage> Next() override {
-    if (next_ == recording_.size()) return std::nullopt;
-    const test::TimedImage& image = recording_.images[next_++];
-    return StreamImage{image.image, image.time_ns, {}, ""};
-  }
-  bool Skip() override { return next_++ < recording_.size(); }
-  std::optional<int> size() const override { return recording_.size(); }
-
- private:
-  const Recording& recording_;
-  int next_ = 0;
-};
-
 TEST(ReferenceFigures, OfACalibration) {
   CORVO_SKIP_IF_SHORT();
   synthetic::SequenceOptions options = Options(300, 0);
@@ -246,7 +217,7 @@ TEST(ReferenceFigures, OfACalibration) {
   options.camera->k2 = 0.02;
   const Recording room = Render(MakeRoom(options), 4);
   const CameraCalibration calibration = CalibrateCamera(
-      {[&] { return std::make_unique<RenderedStream>(room); }}, AllCalibrationModels(), {});
+      {[&] { return std::make_unique<test::RecordedStream>(room); }}, AllCalibrationModels(), {});
   Figures figures;
   const FocalSearchResult& search = calibration.start.search;
   figures["search, pairs"] = search.num_pairs;

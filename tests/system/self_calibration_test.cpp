@@ -14,7 +14,7 @@
 #include "apps/synthetic/sequence.h"
 #include "tests/support/data.h"
 #include "tests/support/random.h"
-#include "tests/system/sequence_runner.h"
+#include "tests/system/recording.h"
 #include "vo/odometry.h"
 #include "vo/offline/calibration_check.h"
 #include "vo/offline/match_residuals.h"
@@ -75,26 +75,11 @@ TEST(SelfCalibrationTest, PureRotationKeepsTheGivenCameraWithinItsSigmas) {
   }
 }
 
-/// The images of a rendered sequence.
-class RenderedStream : public ImageStream {
- public:
-  explicit RenderedStream(const Sequence& sequence) : sequence_(sequence) {}
-
-  std::optional<StreamImage> Next() override {
-    if (next_ == sequence_.size()) return std::nullopt;
-    const int i = next_++;
-    return StreamImage{sequence_.Render(i), sequence_.poses()[i].time_ns, {}, ""};
-  }
-  bool Skip() override { return next_++ < sequence_.size(); }
-  std::optional<int> size() const override { return sequence_.size(); }
-
- private:
-  const Sequence& sequence_;
-  int next_ = 0;
-};
-
 CameraPrior FindCameraOf(const Sequence& sequence) {
-  return FindCamera([&] { return std::make_unique<RenderedStream>(sequence); }, {}).value().prior;
+  const test::Recording recording = test::Render(sequence);
+  return FindCamera([&] { return std::make_unique<test::RecordedStream>(recording); }, {})
+      .value()
+      .prior;
 }
 
 /// Returns options for a camera of 480x360 px with this distortion.

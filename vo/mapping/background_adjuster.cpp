@@ -27,6 +27,13 @@ int WindowLatency(const Map& map, const BundleAdjusterOptions& options) {
   return std::clamp(NewestSpacing(map) - 1, options.min_latency_frames, options.max_latency_frames);
 }
 
+/// Returns the prior, without free parameters if the camera is not to be estimated.
+CameraPrior CheckedPrior(CameraPrior prior, const CalibrationOptions& options) {
+  prior.Validate();
+  if (!options.enabled) prior.free.clear();
+  return prior;
+}
+
 /// Returns whether an estimate is less certain than another, as a whole, although no disagreement
 /// has been found: an adjustment that converged worse.
 bool IsLessCertain(const CameraEstimate& estimate, const CameraEstimate& than) {
@@ -37,12 +44,10 @@ bool IsLessCertain(const CameraEstimate& estimate, const CameraEstimate& than) {
 }  // namespace
 
 BackgroundAdjuster::BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options)
-    : prior_(prior), options_(options), finished_(prior, options.calibration.stated_share) {
-  prior_.Validate();
-  if (!options.calibration.enabled) prior_.free.clear();
-  finished_ = CameraBlocks(prior_, options.calibration.stated_share);
-  estimate_ = finished_.Estimate();
-}
+    : prior_(CheckedPrior(prior, options.calibration)),
+      options_(options),
+      finished_(prior_, options.calibration.stated_share),
+      estimate_(finished_.Estimate()) {}
 
 void BackgroundAdjuster::Start(int frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;

@@ -86,8 +86,8 @@ class BackgroundAdjuster {
   Job<Result> window_;
   Job<CalibratedBundle> calibration_;
   KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
+  CameraBlocks finished_;      // All but the newest block.
   CameraEstimate estimate_;
-  CameraBlocks finished_;  // All but the newest block.
   int num_finished_keyframes_ = 0;
   Block block_;
   bool prior_rejected_ = false;

@@ -18,7 +18,7 @@ struct CalibratedBundle {
   AdjustmentStatus status = AdjustmentStatus::kNone;
   Bundle bundle;
   CameraInformation of_block;
-  CameraEstimate estimate;  ///< From all blocks. The same unless the status is usable.
+  CameraEstimate estimate;  ///< From all blocks; that of before unless the status is usable.
 };
 
 /// An estimate of the camera from a block of keyframes and the blocks before it. It does not refer
