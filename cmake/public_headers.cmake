@@ -31,6 +31,7 @@ set(corvo_public_headers
   vo/geometry/ray_match.h
   vo/geometry/two_view.h
   vo/io/config.h
+  vo/io/pose_graph_io.h
   vo/io/trajectory_io.h
   vo/lie/se3.h
   vo/lie/sim3.h
@@ -41,6 +42,7 @@ set(corvo_public_headers
   vo/map/observation.h
   vo/map/observation_callback.h
   vo/map/observation_recorder.h
+  vo/map/pose_graph.h
   vo/map/segment_join.h
   vo/odometry.h
   vo/offline/calibration_check.h

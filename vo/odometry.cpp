@@ -117,6 +117,11 @@ Trajectory Odometry::GetTrajectory() const {
   return history_->ToTrajectory(map_);
 }
 
+PoseGraph Odometry::GetPoseGraph() const {
+  CheckNotMovedFrom();
+  return mapper_->GetPoseGraph(map_);
+}
+
 const Map& Odometry::map() const {
   CheckNotMovedFrom();
   return map_;
@@ -160,7 +165,7 @@ bool Odometry::prior_rejected() const {
 MemoryUse Odometry::memory_use() const {
   CheckNotMovedFrom();
   return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_),
-          map_.keyframe_bytes(), history_->num_bytes()};
+          map_.keyframe_bytes() + mapper_->num_edge_bytes(), history_->num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {
@@ -248,7 +253,7 @@ void Odometry::JoinSegments(Frame& frame) {
   if (const std::optional<SegmentJoin> join = joiner_->Estimate(map_)) {
     history_->JoinSegments(*join, map_);
     recorder_.AddMerges(joiner_->MergeLandmarks(map_));
-    mapper_->FuseAgain(map_);
+    mapper_->AdaptToJoin(*join, map_);
     if (segment_ == join->later) motion_->Transform(join->earlier_from_later);
     segment_ = join->earlier;
   }
@@ -329,6 +334,8 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
 void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
   recorder_.RecordFrame(frame, segment_, map_);
   history_->SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
+  const CovarianceToKeyframe uncertainty = mapper_->CovarianceOf(frame, map_);
+  history_->SetCovariance(frame.index, uncertainty.keyframe, uncertainty.covariance);
 }
 
 void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,

@@ -19,6 +19,7 @@
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
+#include "vo/map/pose_graph.h"
 
 namespace corvo {
 
@@ -73,6 +74,9 @@ class Odometry {
   /// frames before the initialization obtain poses afterwards, and a segment that sees landmarks of
   /// an earlier one becomes part of it.
   Trajectory GetTrajectory() const;
+
+  /// Returns the keyframes so far with their current poses and the edges between them.
+  PoseGraph GetPoseGraph() const;
 
   /// Ends the sequence: waits for the work in the background, estimates the camera once more from
   /// the newest keyframes and returns the trajectory, which does not change until the next call to

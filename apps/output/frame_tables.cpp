@@ -99,6 +99,28 @@ std::string FrameTable(const Trajectory& trajectory, const std::vector<std::stri
   return table;
 }
 
+std::string RelativePoseTable(const Trajectory& trajectory) {
+  std::string table = "index,timestamp,reference,tx,ty,tz,qx,qy,qz,qw";
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) table += fmt::format(",c{}{}", row, column);
+  }
+  table += '\n';
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.relative_pose) continue;
+    const RelativePose& relative = *frame.relative_pose;
+    const SE3::Data data = relative.reference_from_camera.data();
+    table += fmt::format("{},{},{}", frame.index, FormatSeconds(frame.time_ns), relative.reference);
+    for (const int i : {4, 5, 6, 0, 1, 2, 3}) table += fmt::format(",{:.9g}", data[i]);
+    for (int row = 0; row < 6; ++row) {
+      for (int column = row; column < 6; ++column) {
+        table += fmt::format(",{:.6g}", relative.covariance(row, column));
+      }
+    }
+    table += '\n';
+  }
+  return table;
+}
+
 std::vector<FrameRow> ReadFrameTable(const std::filesystem::path& file) {
   const std::vector<TextLine> lines = ReadTextLines(file);
   const Columns columns = FindColumns(lines.empty() ? "" : lines.front().text, file);

@@ -22,6 +22,11 @@ struct FrameTiming {
 /// `parallax` is in degrees. `images` names the image of each frame, or is empty.
 std::string FrameTable(const Trajectory& trajectory, const std::vector<std::string>& images = {});
 
+/// Returns CSV with a header and one row per frame with a relative pose: the frame, its reference
+/// keyframe, reference_from_camera (tx ty tz qx qy qz qw) and the upper triangle of the covariance
+/// of [υ ω], row by row. See RelativePose.
+std::string RelativePoseTable(const Trajectory& trajectory);
+
 /// Some columns of a row of frames.csv. Earlier versions did not write the last two.
 struct FrameRow {
   int index = 0;

@@ -16,6 +16,7 @@
 #include "apps/run/trajectory_file.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
+#include "vo/io/pose_graph_io.h"
 #include "vo/io/trajectory_io.h"
 
 namespace corvo {
@@ -66,6 +67,11 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
   for (MapPoint& point : points) point.rgb = record.colors.Of(point.id);
   output.Write("map.ply", ToPly(points));
   output.Write("frames.csv", FrameTable(record.trajectory, record.images));
+  output.Write("relative_poses.csv", RelativePoseTable(record.trajectory));
+  const PoseGraph graph = WithPosesOf(record.trajectory, arguments.meters_per_unit.value_or(1),
+                                      record.odometry.GetPoseGraph());
+  output.Write("pose_graph.g2o", ToG2o(graph, G2oForm::kSe3));
+  output.Write("pose_graph_sim3.g2o", ToG2o(graph, G2oForm::kSim3));
   output.Write("timing.csv", TimingTable(record.timings));
 }
 
@@ -84,11 +90,24 @@ void WriteJson(const nlohmann::ordered_json& json, const char* name, const Outpu
 
 OutputPlan PlanOfRun(bool replaces_foreign) {
   OutputPlan plan;
-  plan.names = {"trajectory.tum",   "trajectory.kitti", "trajectory_euroc.csv",
-                "keyframes.tum",    "rotations.tum",    "groundtruth.tum",
-                "map.ply",          "observations.npy", "frames.csv",
-                "timing.csv",       "config.yaml",      "camera_estimated.yaml",
-                "environment.json", "trajectory.png",   "summary.json"};
+  plan.names = {"trajectory.tum",
+                "trajectory.kitti",
+                "trajectory_euroc.csv",
+                "keyframes.tum",
+                "rotations.tum",
+                "groundtruth.tum",
+                "map.ply",
+                "observations.npy",
+                "frames.csv",
+                "timing.csv",
+                "config.yaml",
+                "camera_estimated.yaml",
+                "environment.json",
+                "trajectory.png",
+                "summary.json",
+                "relative_poses.csv",
+                "pose_graph.g2o",
+                "pose_graph_sim3.g2o"};
   plan.numbered_prefix = kSegmentPrefix;
   plan.numbered_suffix = kSegmentSuffix;
   plan.checkpoint = kCheckpointFolder;

@@ -342,9 +342,10 @@ TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
 TEST_F(Pipeline, OutputDoesNotDependOnTheNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);
-  for (const char* name : {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv",
-                           "keyframes.tum", "rotations.tum", "map.ply", "frames.csv",
-                           "observations.npy", "summary.json", "config.yaml", "trajectory.png"}) {
+  for (const char* name :
+       {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
+        "rotations.tum", "map.ply", "frames.csv", "observations.npy", "summary.json", "config.yaml",
+        "trajectory.png", "relative_poses.csv", "pose_graph.g2o", "pose_graph_sim3.g2o"}) {
     EXPECT_EQ(ReadText(Result() / name), ReadText(two / name)) << name;
   }
 }

@@ -33,11 +33,20 @@ const char* const kCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
 
-const char* const kReproducibleFiles[] = {
-    "trajectory.tum",        "rotations.tum", "trajectory_euroc.csv",
-    "keyframes.tum",         "map.ply",       "frames.csv",
-    "observations.npy",      "summary.json",  "config.yaml",
-    "camera_estimated.yaml", "trajectory.png"};
+const char* const kReproducibleFiles[] = {"trajectory.tum",
+                                          "rotations.tum",
+                                          "trajectory_euroc.csv",
+                                          "keyframes.tum",
+                                          "map.ply",
+                                          "frames.csv",
+                                          "observations.npy",
+                                          "summary.json",
+                                          "config.yaml",
+                                          "camera_estimated.yaml",
+                                          "trajectory.png",
+                                          "relative_poses.csv",
+                                          "pose_graph.g2o",
+                                          "pose_graph_sim3.g2o"};
 
 int CountLines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

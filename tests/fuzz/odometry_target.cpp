@@ -152,6 +152,9 @@ class Recording {
         "rotations are finite");
     Require(frame.world_from_camera.has_value() == (frame.state == State::kTracking),
             "a frame has a pose exactly if it is tracked");
+    Require(!frame.relative_pose || (frame.relative_pose->covariance.allFinite() &&
+                                     IsFinite(frame.relative_pose->reference_from_camera)),
+            "relative poses and covariances are finite");
     Require(std::isfinite(frame.parallax_deg), "the parallax is finite");
   }
 

@@ -53,4 +53,10 @@ std::string_view ToString(Reason reason) {
   return "unknown";
 }
 
+SE3::Matrix6 ScaleCovariance(double scale, SE3::Matrix6 covariance) {
+  covariance.topRows<3>() *= scale;
+  covariance.leftCols<3>() *= scale;
+  return covariance;
+}
+
 }  // namespace corvo

@@ -76,12 +76,28 @@ struct FrameOutcome {
   AdjustmentStatus camera_adjustment = AdjustmentStatus::kNone;
 };
 
+/// The pose of a frame relative to another frame of its segment, with its covariance.
+struct RelativePose {
+  int reference = kNoId;  ///< Index of the other frame, which is a keyframe.
+  SE3 reference_from_camera;
+  /// Covariance of the error ξ = [υ ω] of the pose, which is reference_from_camera * Exp(ξ): υ in
+  /// units of the segment, ω in rad.
+  SE3::Matrix6 covariance = SE3::Matrix6::Zero();
+};
+
+/// Returns the covariance of [υ ω] in a unit of length that is 1 / `scale` of the former one.
+SE3::Matrix6 ScaleCovariance(double scale, SE3::Matrix6 covariance);
+
 /// The outcome and pose of one input frame. A value type.
 struct FrameResult : FrameOutcome {
   /// Set if and only if the frame is posed: located from enough inlier landmarks, either while
   /// tracking or afterwards by pose optimization. A frame that `repeats` another one has the pose
   /// of that frame. Never predicted or interpolated.
   std::optional<SE3> world_from_camera;
+  /// Set if the frame is posed: its pose relative to its reference keyframe, which is the newest
+  /// one when the frame was located. That of a keyframe is the one before it. The first frame of a
+  /// segment is its own reference.
+  std::optional<RelativePose> relative_pose;
   /// Set if the frame is posed or in State::kRotationOnly. Rotations of two segments share one
   /// reference frame only if the rotation was tracked without a gap between them.
   std::optional<SO3> world_from_camera_rotation;

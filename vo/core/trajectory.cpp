@@ -61,6 +61,20 @@ std::vector<Segment> Trajectory::Segments() const {
   return segments;
 }
 
+void UpdateRelativePoses(Trajectory& trajectory) {
+  for (FrameResult& frame : trajectory.frames) {
+    if (!frame.relative_pose) continue;
+    const FrameResult& reference = trajectory.frames[frame.relative_pose->reference];
+    if (!frame.world_from_camera || !reference.world_from_camera ||
+        reference.segment != frame.segment) {
+      frame.relative_pose.reset();
+      continue;
+    }
+    frame.relative_pose->reference_from_camera =
+        reference.world_from_camera->Inverse() * *frame.world_from_camera;
+  }
+}
+
 Trajectory Scale(double scale, Trajectory trajectory) {
   CheckRange("scale", scale, std::numeric_limits<double>::min(),
              std::numeric_limits<double>::max());
@@ -68,7 +82,10 @@ Trajectory Scale(double scale, Trajectory trajectory) {
     if (!frame.world_from_camera) continue;
     const SE3& pose = *frame.world_from_camera;
     frame.world_from_camera = SE3(pose.rotation(), scale * pose.translation());
+    if (!frame.relative_pose) continue;
+    frame.relative_pose->covariance = ScaleCovariance(scale, frame.relative_pose->covariance);
   }
+  UpdateRelativePoses(trajectory);
   return trajectory;
 }
 

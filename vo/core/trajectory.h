@@ -39,8 +39,12 @@ struct Trajectory {
   std::vector<Segment> Segments() const;
 };
 
-/// Returns the trajectory with all translations multiplied by `scale`. Throws corvo::Error unless
-/// the scale is finite and above 0.
+/// Computes the relative poses of all frames from their poses in the world, which were changed. A
+/// relative pose whose reference is no longer a posed frame of the same segment is removed.
+void UpdateRelativePoses(Trajectory& trajectory);
+
+/// Returns the trajectory with all translations multiplied by `scale`, and their covariances
+/// accordingly. Throws corvo::Error unless the scale is finite and above 0.
 Trajectory Scale(double scale, Trajectory trajectory);
 
 }  // namespace corvo

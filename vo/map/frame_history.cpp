@@ -13,6 +13,30 @@
 namespace corvo {
 namespace {
 
+using UpperTriangle = std::array<float, 21>;
+
+UpperTriangle Pack(const SE3::Matrix6& covariance) {
+  UpperTriangle packed;
+  int i = 0;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      packed[i++] = static_cast<float>(covariance(row, column));
+    }
+  }
+  return packed;
+}
+
+SE3::Matrix6 Unpack(const UpperTriangle& packed) {
+  SE3::Matrix6 covariance;
+  int i = 0;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      covariance(row, column) = covariance(column, row) = packed[i++];
+    }
+  }
+  return covariance;
+}
+
 /// Interpolates between the first pose (at a share of 0) and the second (at 1).
 SE3 Interpolate(const SE3& first, const SE3& second, double share) {
   return first * (first.Inverse() * second).Power(share);
@@ -111,6 +135,13 @@ void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera,
   record.from_camera = map.WorldFromKeyframe(record.keyframe).Inverse() * world_from_camera;
 }
 
+void FrameHistory::SetCovariance(int frame, KeyframeId reference, const SE3::Matrix6& covariance) {
+  if (!covariance.cast<float>().allFinite()) return;
+  Record& record = records_[frame];
+  record.covariance_reference = reference == kNoId ? frame : keyframes_.at(reference).frame;
+  record.covariance = Pack(covariance);
+}
+
 KeyframeId FrameHistory::FindKeyframe(int frame, int segment, const Map& map) const {
   KeyframeId found = kNoId;
   for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe) {
@@ -160,6 +191,7 @@ void FrameHistory::DiscardPoses(Reason reason) {
     outcome.segment = kNoId;
     record.keyframe = kNoId;
     record.reference = kNoId;
+    record.covariance_reference = kNoId;
   }
   keyframes_.clear();
   scales_.clear();
@@ -171,7 +203,10 @@ void FrameHistory::JoinSegments(const SegmentJoin& join, Map& map) {
   poses.merge(PosesOf(join.earlier, map));
   map.JoinSegments(join);
   for (Record& record : records_) {
-    if (record.outcome.segment == join.later) record.outcome.segment = join.earlier;
+    if (record.outcome.segment != join.later) continue;
+    record.outcome.segment = join.earlier;
+    record.covariance =
+        Pack(ScaleCovariance(join.earlier_from_later.scale(), Unpack(record.covariance)));
   }
   // The neighbors of keyframes and frames have changed.
   for (auto keyframe = keyframes_.begin(); keyframe != keyframes_.end(); ++keyframe) {
@@ -234,12 +269,22 @@ FrameResult FrameHistory::ResultOf(int frame, const Map& map) const {
     original.world_from_camera_rotation = RotationOf(outcome.repeats, map);
     return RepeatOf(std::move(original), outcome);
   }
-  FrameResult result{outcome, {}, {}};
+  FrameResult result{outcome, {}, {}, {}};
   if (IsPosed(frame)) result.world_from_camera = PoseOf(frame, map);
+  result.relative_pose = RelativePoseOf(frame, map);
   if (IsPosed(frame) || result.state == State::kRotationOnly) {
     result.world_from_camera_rotation = RotationOf(frame, map);
   }
   return result;
+}
+
+std::optional<RelativePose> FrameHistory::RelativePoseOf(int frame, const Map& map) const {
+  const Record& record = records_[frame];
+  const int reference = record.covariance_reference;
+  if (!IsPosed(frame) || reference == kNoId || !IsPosed(reference)) return std::nullopt;
+  if (records_[reference].outcome.segment != record.outcome.segment) return std::nullopt;
+  const SE3 reference_from_camera = PoseOf(reference, map).Inverse() * PoseOf(frame, map);
+  return RelativePose{reference, reference_from_camera, Unpack(record.covariance)};
 }
 
 Trajectory FrameHistory::ToTrajectory(const Map& map) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -56,6 +57,8 @@ class FrameHistory {
   bool IsPosed(int frame) const { return records_[frame].keyframe != kNoId; }
   /// Sets the pose of a frame in a segment that has a keyframe.
   void SetPose(int frame, int segment, const SE3& world_from_camera, const Map& map);
+  /// Sets the covariance of a posed frame relative to a keyframe.
+  void SetCovariance(int frame, KeyframeId reference, const SE3::Matrix6& covariance);
   /// Adds the newest keyframe of the map. Unless its frame is already posed (in the previous
   /// segment), the frame gets the pose of the keyframe and is marked as a keyframe.
   void AddKeyframe(int frame, KeyframeId keyframe, const Map& map);
@@ -89,6 +92,8 @@ class FrameHistory {
  private:
   struct Record {
     FrameOutcome outcome;
+    int covariance_reference = kNoId;    // Frame that the covariance is relative to.
+    std::array<float, 21> covariance{};  // Its upper triangle.
     KeyframeId keyframe = kNoId;  // For a posed frame: the last one before it, or the first after.
     int reference = kNoId;        // For a frame of which only the rotation is known.
     SE3 from_camera;              // Relative to `keyframe` or `reference`.
@@ -99,6 +104,7 @@ class FrameHistory {
   };
   using Keyframes = std::map<KeyframeId, Keyframe>;
 
+  std::optional<RelativePose> RelativePoseOf(int frame, const Map& map) const;
   /// Returns the keyframe that a frame of a segment is expressed relative to.
   KeyframeId FindKeyframe(int frame, int segment, const Map& map) const;
   /// Returns the posed frames of a segment with their poses.

@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include "vo/optimization/point_selection.h"
+
 namespace corvo {
 namespace {
 
@@ -117,10 +119,13 @@ void BackgroundAdjuster::StartWindow(int frame, const Map& map) {
   window_.due_frame = frame + WindowLatency(map, options_.bundle_adjuster);
   window_.result = std::async(
       std::launch::async,
-      [camera = map.camera(),
-       adjuster = BundleAdjuster(WindowAdjustment(options_.bundle_adjuster))](Bundle&& bundle) {
+      [camera = map.camera(), free = prior_.free,
+       adjuster = BundleAdjuster(WindowAdjustment(options_.bundle_adjuster)),
+       points_per_view = options_.bundle_adjuster.points_per_keyframe](Bundle&& bundle) {
         const AdjustmentSummary summary = adjuster.Adjust(camera, bundle);
-        return Result{std::move(bundle), summary};
+        KeyframeCovariance covariance = CovarianceOfViews({camera.parameters(), free}, bundle,
+                                                          SelectPoints(bundle, points_per_view));
+        return Result{std::move(bundle), summary, std::move(covariance)};
       },
       CopyBundle(map, SelectWindow(map, newest_, options_.bundle_adjuster)));
 }
@@ -144,8 +149,9 @@ void BackgroundAdjuster::StartCalibration(int frame, const Map& map) {
 }
 
 AdjustmentStatus BackgroundAdjuster::UseWindow(Map& map) {
-  const Result result = window_.result.get();
+  Result result = window_.result.get();
   if (result.summary.is_usable()) WriteBack(result.bundle, map);
+  window_covariance_ = std::move(result.covariance);
   return result.summary.status;
 }
 

@@ -12,6 +12,7 @@
 #include "vo/mapping/camera_blocks.h"
 #include "vo/mapping/camera_estimator.h"
 #include "vo/optimization/bundle_adjuster.h"
+#include "vo/optimization/keyframe_covariance.h"
 
 namespace corvo {
 
@@ -38,6 +39,9 @@ class BackgroundAdjuster {
   /// and the camera.
   UsedAdjustments UseResults(int frame, Map& map);
 
+  /// Returns the joint covariance of the window that was used last.
+  const KeyframeCovariance& window_covariance() const { return window_covariance_; }
+
   const CameraEstimate& camera_estimate() const { return estimate_; }
   const CameraPrior& camera_prior() const { return prior_; }
   /// Returns whether the images contradict the given camera beyond its sigmas; it is then used as
@@ -48,6 +52,7 @@ class BackgroundAdjuster {
   struct Result {
     Bundle bundle;
     AdjustmentSummary summary;
+    KeyframeCovariance covariance;
   };
   /// An adjustment, in progress while `result` is valid.
   template <typename Outcome>
@@ -85,6 +90,7 @@ class BackgroundAdjuster {
   OdometryOptions options_;
   Job<Result> window_;
   Job<CalibratedBundle> calibration_;
+  KeyframeCovariance window_covariance_;
   KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
   CameraBlocks finished_;      // All but the newest block.
   CameraEstimate estimate_;

@@ -11,7 +11,9 @@
 namespace corvo {
 
 Mapper::Mapper(const CameraPrior& prior, const OdometryOptions& options)
-    : options_(options), adjuster_(prior, options) {}
+    : options_(options),
+      adjuster_(prior, options),
+      uncertainty_(adjuster_.camera_prior(), options.bundle_adjuster) {}
 
 KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Frame& first,
                                     Frame& second, Map& map) {
@@ -28,21 +30,38 @@ KeyframeId Mapper::InsertInitialMap(const InitialMap& initial, int segment, Fram
     map.UpdateAppearance(id);
     probation_.push_back(id);
   }
+  uncertainty_.ComputeWindow(map, second_id);
+  edges_.AddKeyframe(map, uncertainty_, camera_estimate());
   first.landmarks = map.keyframe(first_id).frame.landmarks;
   second.landmarks = map.keyframe(second_id).frame.landmarks;
   return first_id;
 }
 
 KeyframeId Mapper::InsertKeyframe(Frame& frame, int segment, Map& map) {
+  uncertainty_.AddKeyframe(map, frame);
   const KeyframeId keyframe = map.AddKeyframe(frame, segment);
   for (const LandmarkId id : map.LandmarksOf(keyframe)) map.UpdateAppearance(id);
   CullLandmarks(options_.culling, probation_, map);
   const LandmarkId first_new = map.num_landmark_ids();
   CreateLandmarks(keyframe, options_.landmarks, options_.matching.max_distance, map);
   for (LandmarkId id = first_new; id < map.num_landmark_ids(); ++id) probation_.push_back(id);
+  edges_.AddKeyframe(map, uncertainty_, camera_estimate());
   unfused_ = keyframe;
   frame.landmarks = map.keyframe(keyframe).frame.landmarks;
   return keyframe;
+}
+
+void Mapper::AdaptToJoin(const SegmentJoin& join, const Map& map) {
+  edges_.JoinSegments(join);
+  unfused_ = map.num_keyframes() - 1;
+  uncertainty_.ComputeWindow(map, unfused_);
+}
+
+CovarianceToKeyframe Mapper::CovarianceOf(const Frame& frame, const Map& map) {
+  const KeyframeId newest = map.num_keyframes() - 1;
+  const bool is_newest = map.keyframe(newest).frame.index == frame.index;
+  return is_newest ? uncertainty_.OfNewestKeyframe(map, camera_estimate())
+                   : uncertainty_.OfFrame(map, frame, camera_estimate());
 }
 
 MapUpdate Mapper::Update(int frame, Map& map, ObservationRecorder& recorder, StageClock& clock) {
@@ -67,6 +86,10 @@ MapUpdate Mapper::UseAdjustments(int frame, Map& map, const ObservationRecorder&
   {
     const StageClock::Scope adjusting(clock, &StageTimes::adjust_ms);
     update.adjustments = adjuster_.UseResults(frame, map);
+    if (IsUsable(update.adjustments.window)) {
+      uncertainty_.UseWindow(adjuster_.window_covariance());
+      edges_.Renew(map, uncertainty_, camera_estimate());
+    }
   }
   if (!update.adjustments.any()) return update;
   const StageClock::Scope mapping(clock, &StageTimes::map_ms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "vo/camera/camera_prior.h"
@@ -9,7 +10,10 @@
 #include "vo/map/initial_map.h"
 #include "vo/map/map.h"
 #include "vo/map/observation_recorder.h"
+#include "vo/map/pose_graph.h"
 #include "vo/mapping/background_adjuster.h"
+#include "vo/mapping/keyframe_edges.h"
+#include "vo/mapping/pose_uncertainty.h"
 
 namespace corvo {
 
@@ -38,8 +42,17 @@ class Mapper {
   /// that no single frame waits for both.
   KeyframeId InsertKeyframe(Frame& frame, int segment, Map& map);
 
-  /// Lets the next Update() fuse landmarks around the newest keyframe, as after its insertion.
-  void FuseAgain(const Map& map) { unfused_ = map.num_keyframes() - 1; }
+  /// Adapts to a join of segments, which has merged landmarks around the newest keyframe: the next
+  /// Update() fuses others there, as after its insertion.
+  void AdaptToJoin(const SegmentJoin& join, const Map& map);
+
+  /// Returns the graph of all keyframes so far.
+  PoseGraph GetPoseGraph(const Map& map) const { return edges_.ToGraph(map); }
+  std::size_t num_edge_bytes() const { return edges_.num_bytes(); }
+
+  /// Returns the covariance of a located frame relative to a keyframe: of the newest keyframe
+  /// relative to the one before it, of any other frame relative to the newest one.
+  CovarianceToKeyframe CovarianceOf(const Frame& frame, const Map& map);
 
   /// Does the work of one frame: applies the results of adjustments that are due, culls and
   /// marginalizes keyframes, fuses landmarks around the newest keyframe and starts the next
@@ -75,6 +88,8 @@ class Mapper {
 
   OdometryOptions options_;
   BackgroundAdjuster adjuster_;
+  PoseUncertainty uncertainty_;
+  KeyframeEdges edges_;
   KeyframeId unfused_ = kNoId;         // Keyframe around which landmarks are yet to be fused.
   std::vector<LandmarkId> probation_;  // New landmarks that are on probation.
 };

@@ -155,6 +155,7 @@ Refinement Refine(const Odometry& odometry, const ObservationLog& log,
   MoveFrames(refined, refinement);
   LocateFrames(refined, min_inliers, log, refinement);
   CopyRepeats(refinement.trajectory.frames);
+  UpdateRelativePoses(refinement.trajectory);
   return refinement;
 }
 

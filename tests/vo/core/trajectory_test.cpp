@@ -79,6 +79,34 @@ TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
             SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
 }
 
+/// Returns a keyframe at the origin and a frame 2 units ahead of it.
+Trajectory TwoFrames() {
+  Trajectory trajectory;
+  trajectory.frames = {MakeFrame(10, true), MakeFrame(20, true)};
+  trajectory.frames[0].world_from_camera = SE3();
+  trajectory.frames[1].world_from_camera = SE3(SO3(), {0, 0, 2});
+  trajectory.frames[1].relative_pose = {0, SE3(), SE3::Matrix6::Identity()};
+  return trajectory;
+}
+
+TEST(TrajectoryTest, RelativePosesFollowThoseInTheWorld) {
+  Trajectory trajectory = TwoFrames();
+  UpdateRelativePoses(trajectory);
+  EXPECT_EQ(trajectory.frames[1].relative_pose->reference_from_camera, SE3(SO3(), {0, 0, 2}));
+  trajectory.frames[0].segment = 1;
+  UpdateRelativePoses(trajectory);
+  EXPECT_FALSE(trajectory.frames[1].relative_pose);
+}
+
+TEST(TrajectoryTest, ScaleMultipliesTheCovarianceOfLengths) {
+  const Trajectory scaled = Scale(3, TwoFrames());
+  const RelativePose& relative = *scaled.frames[1].relative_pose;
+  EXPECT_EQ(relative.reference_from_camera, SE3(SO3(), {0, 0, 6}));
+  Eigen::Matrix<double, 6, 1> variances;
+  variances << 9, 9, 9, 1, 1, 1;
+  EXPECT_EQ(relative.covariance, SE3::Matrix6(variances.asDiagonal()));
+}
+
 TEST(TrajectoryTest, RotationsIncludeFramesWithoutAPose) {
   Trajectory trajectory;
   trajectory.frames = {MakeFrame(10, false), MakeFrame(20, false), MakeFrame(30, true)};

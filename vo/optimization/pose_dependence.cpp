@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "vo/optimization/pose_dependence.h"
+
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "vo/camera/differentiable_camera.h"
+#include "vo/map/landmark_covariance.h"
+#include "vo/map/observation.h"
+
+namespace corvo {
+namespace {
+
+using Matrix63 = Eigen::Matrix<double, 6, 3>;
+using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+std::vector<Eigen::Vector3d> TranslationsOf(const Map& map,
+                                            const std::vector<KeyframeId>& keyframes) {
+  std::vector<Eigen::Vector3d> translations;
+  for (const KeyframeId id : keyframes) {
+    translations.push_back(map.WorldFromKeyframe(id).translation());
+  }
+  return translations;
+}
+
+/// The normal equations of a pose, with the parts that keyframes have in them.
+class PoseEquations {
+ public:
+  PoseEquations(const Map& map, const Frame& frame, const KeyframeCovariance& joint,
+                const CameraPrior& camera)
+      : map_(map),
+        frame_(frame),
+        camera_(camera, Eigen::VectorXd::Zero(camera.num_free())),
+        camera_from_world_(frame.world_from_camera.Inverse()),
+        joint_(joint),
+        translations_(TranslationsOf(map, joint.keyframes)),
+        by_keyframe_(joint.keyframes.size(), SE3::Matrix6::Zero()),
+        by_camera_(Matrix6X::Zero(6, camera.num_free())) {}
+
+  /// Adds the observation of a landmark by a keypoint.
+  void Add(int keypoint, const Landmark& landmark) {
+    const Eigen::Vector3d in_camera = camera_from_world_ * landmark.in_world;
+    Camera::Jacobian by_camera_point;
+    const auto projected = map_.camera().Project(in_camera, &by_camera_point);
+    if (!projected) return;
+    Eigen::Matrix<double, 2, 6> by_pose;
+    by_pose << -by_camera_point, by_camera_point * SO3::Hat(in_camera);
+    const Camera::Jacobian by_point = by_camera_point * camera_from_world_.rotation().matrix();
+    const Eigen::Matrix3d point_covariance = CovarianceOf(landmark);
+    const double sigma_px = map_.model().Sigma(frame_, keypoint);
+    const Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity() +
+                                       by_point * point_covariance * by_point.transpose();
+    const Eigen::Matrix<double, 6, 2> weighted = by_pose.transpose() * covariance.inverse();
+    hessian_ += weighted * by_pose;
+    AddKeyframes(landmark, weighted * by_point * point_covariance);
+    AddCamera(landmark, in_camera, *projected, by_pose, by_point, weighted);
+    const Eigen::Vector2d error = *projected - frame_.pixel(keypoint);
+    ErrorStatistics& errors =
+        frame_.is_aligned[keypoint] ? dependence_.aligned : dependence_.detected;
+    errors.sum += error.dot(covariance.inverse() * error);
+    errors.count += 2;
+  }
+
+  PoseDependence Solve() const {
+    const Eigen::LDLT<SE3::Matrix6> solver(hessian_);
+    PoseDependence dependence = dependence_;
+    dependence.keyframes = joint_.keyframes;
+    for (std::size_t i = 0; i < by_keyframe_.size(); ++i) {
+      dependence.gains.push_back(-solver.solve(Rotate(by_keyframe_[i], joint_.keyframes[i])));
+    }
+    dependence.by_camera = -hessian_by_camera_.ldlt().solve(by_camera_);
+    dependence.noise = solver.solve(SE3::Matrix6::Identity());
+    return dependence;
+  }
+
+ private:
+  /// Returns the LandmarkCovariance and keeps the information of each element of the track.
+  Eigen::Matrix3d CovarianceOf(const Landmark& landmark) {
+    information_.clear();
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const TrackElement& element : landmark.track) {
+      information_.push_back(LandmarkInformation(map_, landmark, element));
+      sum += information_.back();
+    }
+    return sum.inverse();
+  }
+
+  /// Adds the parts of the keyframes that observe a landmark, given that of the landmark.
+  void AddKeyframes(const Landmark& landmark, const Matrix63& by_landmark) {
+    for (std::size_t i = 0; i < landmark.track.size(); ++i) {
+      const int position = joint_.Find(landmark.track[i].keyframe);
+      if (position == kNoId) continue;
+      const Matrix63 part = by_landmark * information_[i];
+      // Rₖ [I, -hat(x_in_k)] = [I, -hat(x - tₖ)] Rₖ; Rₖ is applied to the sum.
+      const Eigen::Vector3d ray = landmark.in_world - translations_[position];
+      SE3::Matrix6& sum = by_keyframe_[position];
+      sum.leftCols<3>() += part;
+      sum.rightCols<3>() -= part * SO3::Hat(ray);
+    }
+  }
+
+  /// Adds the part of the camera, if the landmark's derivative is known.
+  void AddCamera(const Landmark& landmark, const Eigen::Vector3d& in_camera,
+                 const Eigen::Vector2d& pixel, const Eigen::Matrix<double, 2, 6>& by_pose,
+                 const Camera::Jacobian& by_point, const Eigen::Matrix<double, 6, 2>& weighted) {
+    const auto moved = joint_.landmarks_by_camera.find(landmark.id);
+    if (moved == joint_.landmarks_by_camera.end()) return;
+    hessian_by_camera_ += weighted * by_pose;
+    by_camera_ +=
+        weighted * (camera_.PixelByDifference(in_camera, pixel) + by_point * moved->second);
+  }
+
+  /// Returns the part of a keyframe with respect to a perturbation in its own axes.
+  SE3::Matrix6 Rotate(SE3::Matrix6 part, KeyframeId keyframe) const {
+    const Eigen::Matrix3d rotation = map_.WorldFromKeyframe(keyframe).rotation().matrix();
+    part.leftCols<3>() *= rotation;
+    part.rightCols<3>() *= rotation;
+    return part;
+  }
+
+  const Map& map_;
+  const Frame& frame_;
+  DifferentiableCamera camera_;
+  SE3 camera_from_world_;
+  const KeyframeCovariance& joint_;
+  SE3::Matrix6 hessian_ = SE3::Matrix6::Zero();
+  SE3::Matrix6 hessian_by_camera_ = SE3::Matrix6::Zero();
+  std::vector<Eigen::Vector3d> translations_;  // Of the keyframes, in the world.
+  std::vector<SE3::Matrix6> by_keyframe_;
+  std::vector<Eigen::Matrix3d> information_;  // Of the track of the landmark being added.
+  Matrix6X by_camera_;
+  PoseDependence dependence_;
+};
+
+}  // namespace
+
+PoseDependence LinearizePose(const Map& map, const Frame& frame, const KeyframeCovariance& joint,
+                             const CameraPrior& camera) {
+  PoseEquations equations(map, frame, joint, camera);
+  for (int k = 0; k < frame.num_keypoints(); ++k) {
+    const Landmark* landmark = map.FindLandmark(frame.landmarks[k]);
+    if (landmark != nullptr) equations.Add(k, *landmark);
+  }
+  return equations.Solve();
+}
+
+}  // namespace corvo
