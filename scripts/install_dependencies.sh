@@ -6,8 +6,8 @@
 #   install_dependencies.sh [--development]
 #
 #   --development   also ccache, clang 14, clang-format 14, clang-tidy 14, codespell and doxygen, and
-#                   in the folder .venv evo and pycolmap (PyPI), with which the tests compare measures
-#                   and read exported models; continuous integration uses these
+#                   in the folder .venv evo, pycolmap and gtsam (PyPI), with which the tests compare
+#                   measures, read exported models and close loops; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
@@ -16,7 +16,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-
   libbenchmark-dev gnuplot-nox)
 development=(ccache clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
   python3-venv)
-python_packages=(evo==1.38.1 pycolmap==4.2.1)
+python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0)
 
 usage() { sed -n '3,10s/^# \{0,1\}//p' "$0"; }
 

@@ -264,6 +264,7 @@ void Odometry::JoinSegments(Frame& frame) {
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
+  history_->outcome(frame.index).health.found_share = tracking.found_share();
   previous_.world_from_camera = history_->PoseOf(previous_.index, map_);
   if (history_->outcome(previous_.index).segment == segment_) {
     const bool is_uncertain = motion_->IsScaleUncertain(map_, previous_, frame, tracking);
@@ -334,8 +335,9 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
 void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
   recorder_.RecordFrame(frame, segment_, map_);
   history_->SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
-  const CovarianceToKeyframe uncertainty = mapper_->CovarianceOf(frame, map_);
+  const UncertaintyToKeyframe uncertainty = mapper_->UncertaintyOf(frame, map_);
   history_->SetCovariance(frame.index, uncertainty.keyframe, uncertainty.covariance);
+  history_->outcome(frame.index).health = uncertainty.health;
 }
 
 void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,

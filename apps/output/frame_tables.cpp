@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kFrameHeader =
     "index,timestamp,state,reason,segment,posed,features,matches,inliers,parallax,masked,"
-    "window_adjustment,camera_adjustment,keyframe,image\n";
+    "window_adjustment,camera_adjustment,keyframe,found_share,image_coverage,distance_sigma,"
+    "weakest_sigma,image\n";
 
 /// Returns a field of a CSV file, in quotes if it needs them (RFC 4180).
 std::string CsvField(const std::string& text) {
@@ -89,12 +90,15 @@ std::string FrameTable(const Trajectory& trajectory, const std::vector<std::stri
   for (const FrameResult& frame : trajectory.frames) {
     const auto i = static_cast<std::size_t>(frame.index);
     const std::string image = i < images.size() ? CsvField(images[i]) : "";
-    table += fmt::format("{},{},{},{},{},{},{},{},{},{:.6f},{:.4f},{},{},{},{}\n", frame.index,
-                         FormatSeconds(frame.time_ns), ToString(frame.state),
-                         ToString(frame.reason), frame.segment, frame.world_from_camera ? 1 : 0,
-                         frame.num_features, frame.num_matches, frame.num_inliers,
-                         frame.parallax_deg, frame.masked_share, ToString(frame.window_adjustment),
-                         ToString(frame.camera_adjustment), frame.is_keyframe ? 1 : 0, image);
+    table += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{:.6f},{:.4f},{},{},{},"
+        "{:.4f},{:.4f},{:.6g},{:.6g},{}\n",
+        frame.index, FormatSeconds(frame.time_ns), ToString(frame.state), ToString(frame.reason),
+        frame.segment, frame.world_from_camera ? 1 : 0, frame.num_features, frame.num_matches,
+        frame.num_inliers, frame.parallax_deg, frame.masked_share,
+        ToString(frame.window_adjustment), ToString(frame.camera_adjustment),
+        frame.is_keyframe ? 1 : 0, frame.health.found_share, frame.health.image_coverage,
+        frame.health.distance_sigma, frame.health.weakest_sigma, image);
   }
   return table;
 }
@@ -113,7 +117,7 @@ std::string RelativePoseTable(const Trajectory& trajectory) {
     for (const int i : {4, 5, 6, 0, 1, 2, 3}) table += fmt::format(",{:.9g}", data[i]);
     for (int row = 0; row < 6; ++row) {
       for (int column = row; column < 6; ++column) {
-        table += fmt::format(",{:.6g}", relative.covariance(row, column));
+        table += fmt::format(",{:.10g}", relative.covariance(row, column));
       }
     }
     table += '\n';

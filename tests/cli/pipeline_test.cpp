@@ -339,6 +339,38 @@ TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
   }
 }
 
+TEST_F(Pipeline, GtsamReadsThePoseGraphAndClosesALoop) {
+  const fs::path python = SourceDir() / ".venv" / "bin" / "python";
+  const std::vector<std::string> environment = {"HOME=" + folder_->path().string(),
+                                                "PATH=/usr/bin:/bin"};
+  if (!fs::exists(python) ||
+      RunProgram(python, {"-c", "import gtsam"}, environment).exit_code != 0) {
+    GTEST_SKIP() << "gtsam is missing: scripts/install_dependencies.sh --development";
+  }
+  const CommandResult check = RunProgram(
+      python,
+      {(SourceDir() / "tests/cli/check_pose_graph.py").string(), Result() / "pose_graph.g2o"},
+      environment);
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  const auto measures = nlohmann::json::parse(check.out);
+  EXPECT_GT(measures["vertices"], 5);
+  EXPECT_GE(measures["edges"], measures["vertices"].get<int>() - 1);
+  EXPECT_LT(measures["error"], 1e-6) << "the edges agree with the poses";
+  EXPECT_LT(measures["left"], 0.01) << "the loop is closed";
+  EXPECT_NEAR(measures["moved_last"], 1, 0.01);
+  EXPECT_GT(measures["moved_middle"], 0.1) << "the loop is distributed over the keyframes";
+  EXPECT_LT(measures["moved_middle"], 0.9);
+}
+
+TEST_F(Pipeline, EveryPosedFrameHasARelativePoseWithItsCovariance) {
+  const auto lines = [](const fs::path& file) {
+    const std::string text = ReadText(file);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  const nlohmann::json summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+  EXPECT_EQ(lines(Result() / "relative_poses.csv"), 1 + summary["posed"].get<int>());
+}
+
 TEST_F(Pipeline, OutputDoesNotDependOnTheNumberOfThreads) {
   const fs::path two = *folder_ / "two";
   ASSERT_EQ(RunOn(Street(), two, {"--gt", Truth(), "--threads", "2"}).exit_code, kDone);

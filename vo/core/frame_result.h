@@ -52,6 +52,23 @@ constexpr bool IsMissingImage(Reason reason) {
 std::string_view ToString(State state);
 std::string_view ToString(Reason reason);
 
+/// How well the images determine the pose of a frame. All are 0 for frames without a pose.
+struct PoseHealth {
+  /// Share of the landmarks that should be visible from the pose that are inliers; 0 if the frame
+  /// was located afterwards.
+  double found_share = 0;
+  /// Share of the cells of a grid of 8 x 6 over the image that hold an inlier. Inliers in one
+  /// corner determine a pose badly.
+  double image_coverage = 0;
+  /// Median standard deviation of the distances of the inliers' landmarks, relative to the
+  /// distances. It is small where the keyframes see them with much parallax.
+  double distance_sigma = 0;
+  /// Standard deviation, relative to the reference keyframe, of the worst determined combination of
+  /// translation in units of the landmarks' median distance and rotation in rad: the square root of
+  /// the largest eigenvalue of that covariance.
+  double weakest_sigma = 0;
+};
+
 /// The outcome of one input frame, except for its pose.
 struct FrameOutcome {
   int index = 0;  ///< Index of the input frame, from 0.
@@ -69,6 +86,7 @@ struct FrameOutcome {
   double masked_share = 0;
   int num_matches = 0;      ///< Matches with the reference frame or, with a map, with landmarks.
   int num_inliers = 0;      ///< Matches that are consistent with the motion or pose.
+  PoseHealth health;
   double parallax_deg = 0;  ///< Median over the matches, rotation removed; while initializing.
   /// The status of the window adjustment whose result was used before this frame was tracked.
   AdjustmentStatus window_adjustment = AdjustmentStatus::kNone;

@@ -7,34 +7,41 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "orb/error.h"
 
 namespace corvo {
 namespace {
 
-using UpperTriangle = std::array<float, 21>;
+using LowerTriangle = std::array<float, 21>;
 
-UpperTriangle Pack(const SE3::Matrix6& covariance) {
-  UpperTriangle packed;
+/// Returns the Cholesky factor of a covariance, so that it is positive definite also after
+/// rounding.
+LowerTriangle Pack(const SE3::Matrix6& covariance) {
+  constexpr double kRounding = 1e-12;
+  SE3::Matrix6 regular = covariance;
+  regular.diagonal() *= 1 + kRounding;
+  const Eigen::LLT<SE3::Matrix6> cholesky(regular);
+  LowerTriangle packed{};
+  if (cholesky.info() != Eigen::Success) return packed;
+  const SE3::Matrix6 lower = cholesky.matrixL();
   int i = 0;
   for (int row = 0; row < 6; ++row) {
-    for (int column = row; column < 6; ++column) {
-      packed[i++] = static_cast<float>(covariance(row, column));
+    for (int column = 0; column <= row; ++column) {
+      packed[i++] = static_cast<float>(lower(row, column));
     }
   }
   return packed;
 }
 
-SE3::Matrix6 Unpack(const UpperTriangle& packed) {
-  SE3::Matrix6 covariance;
+SE3::Matrix6 Unpack(const LowerTriangle& packed) {
+  SE3::Matrix6 lower = SE3::Matrix6::Zero();
   int i = 0;
   for (int row = 0; row < 6; ++row) {
-    for (int column = row; column < 6; ++column) {
-      covariance(row, column) = covariance(column, row) = packed[i++];
-    }
+    for (int column = 0; column <= row; ++column) lower(row, column) = packed[i++];
   }
-  return covariance;
+  return lower * lower.transpose();
 }
 
 /// Interpolates between the first pose (at a share of 0) and the second (at 1).
@@ -136,7 +143,7 @@ void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera,
 }
 
 void FrameHistory::SetCovariance(int frame, KeyframeId reference, const SE3::Matrix6& covariance) {
-  if (!covariance.cast<float>().allFinite()) return;
+  if (!covariance.allFinite()) return;
   Record& record = records_[frame];
   record.covariance_reference = reference == kNoId ? frame : keyframes_.at(reference).frame;
   record.covariance = Pack(covariance);

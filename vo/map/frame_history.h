@@ -93,7 +93,7 @@ class FrameHistory {
   struct Record {
     FrameOutcome outcome;
     int covariance_reference = kNoId;    // Frame that the covariance is relative to.
-    std::array<float, 21> covariance{};  // Its upper triangle.
+    std::array<float, 21> covariance{};  // Its Cholesky factor.
     KeyframeId keyframe = kNoId;  // For a posed frame: the last one before it, or the first after.
     int reference = kNoId;        // For a frame of which only the rotation is known.
     SE3 from_camera;              // Relative to `keyframe` or `reference`.

@@ -57,10 +57,10 @@ void Mapper::AdaptToJoin(const SegmentJoin& join, const Map& map) {
   uncertainty_.ComputeWindow(map, unfused_);
 }
 
-CovarianceToKeyframe Mapper::CovarianceOf(const Frame& frame, const Map& map) {
+UncertaintyToKeyframe Mapper::UncertaintyOf(const Frame& frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;
   const bool is_newest = map.keyframe(newest).frame.index == frame.index;
-  return is_newest ? uncertainty_.OfNewestKeyframe(map, camera_estimate())
+  return is_newest ? uncertainty_.OfNewestKeyframe(map, frame, camera_estimate())
                    : uncertainty_.OfFrame(map, frame, camera_estimate());
 }
 

@@ -50,9 +50,9 @@ class Mapper {
   PoseGraph GetPoseGraph(const Map& map) const { return edges_.ToGraph(map); }
   std::size_t num_edge_bytes() const { return edges_.num_bytes(); }
 
-  /// Returns the covariance of a located frame relative to a keyframe: of the newest keyframe
+  /// Returns the uncertainty of a located frame relative to a keyframe: of the newest keyframe
   /// relative to the one before it, of any other frame relative to the newest one.
-  CovarianceToKeyframe CovarianceOf(const Frame& frame, const Map& map);
+  UncertaintyToKeyframe UncertaintyOf(const Frame& frame, const Map& map);
 
   /// Does the work of one frame: applies the results of adjustments that are due, culls and
   /// marginalizes keyframes, fuses landmarks around the newest keyframe and starts the next

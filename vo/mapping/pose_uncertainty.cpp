@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "vo/mapping/pose_health.h"
 #include "vo/optimization/adjustment_window.h"
 #include "vo/optimization/bundle.h"
 #include "vo/optimization/point_selection.h"
@@ -100,8 +101,8 @@ void PoseUncertainty::Append(const Added& added) {
   joint_.matrix = std::move(matrix);
 }
 
-CovarianceToKeyframe PoseUncertainty::OfFrame(const Map& map, const Frame& frame,
-                                              const CameraEstimate& camera) {
+UncertaintyToKeyframe PoseUncertainty::OfFrame(const Map& map, const Frame& frame,
+                                               const CameraEstimate& camera) {
   if (!IsAmong(map, frame, joint_)) {
     const std::vector<Covisible> covisible = map.FindCovisible(frame);
     if (!covisible.empty()) ComputeWindow(map, covisible.front().keyframe);
@@ -118,17 +119,23 @@ CovarianceToKeyframe PoseUncertainty::OfFrame(const Map& map, const Frame& frame
   gains.middleCols<6>(6 * position) -= adjoint;
   const Gains by_camera =
       dependence.by_camera - adjoint * joint_.by_camera.middleRows<6>(6 * position);
-  return {reference, factor_ * (dependence.noise + Propagate(gains, joint_.matrix)) +
-                         Propagate(by_camera, camera.covariance)};
+  const SE3::Matrix6 covariance = factor_ * (dependence.noise + Propagate(gains, joint_.matrix)) +
+                                  Propagate(by_camera, camera.covariance);
+  return {reference, covariance, AssessPose(frame, map.camera(), dependence, factor_, covariance)};
 }
 
-CovarianceToKeyframe PoseUncertainty::OfNewestKeyframe(const Map& map,
-                                                       const CameraEstimate& camera) const {
+UncertaintyToKeyframe PoseUncertainty::OfNewestKeyframe(const Map& map, const Frame& frame,
+                                                        const CameraEstimate& camera) const {
   if (joint_.keyframes.empty()) return {};
   const KeyframeId keyframe = joint_.keyframes.back();
   const KeyframeId reference = KeyframeBefore(map, keyframe);
   if (reference == kNoId) return {};
-  return {reference, Between(map, reference, keyframe, camera)};
+  const bool is_added = !added_.empty() && added_.back().keyframe == keyframe;
+  const PoseDependence dependence =
+      is_added ? added_.back().dependence
+               : LinearizePose(map, frame, {}, {map.camera().parameters(), {}});
+  const SE3::Matrix6 covariance = Between(map, reference, keyframe, camera);
+  return {reference, covariance, AssessPose(frame, map.camera(), dependence, factor_, covariance)};
 }
 
 SE3::Matrix6 PoseUncertainty::Between(const Map& map, KeyframeId first, KeyframeId second,

@@ -5,6 +5,7 @@
 
 #include "vo/camera/camera_prior.h"
 #include "vo/core/conventions.h"
+#include "vo/core/frame_result.h"
 #include "vo/core/options.h"
 #include "vo/lie/se3.h"
 #include "vo/map/frame.h"
@@ -15,11 +16,12 @@
 
 namespace corvo {
 
-/// The covariance of a pose relative to a keyframe: of the error ξ, where keyframe_from_camera =
-/// estimate * Exp(ξ), ξ = [υ ω].
-struct CovarianceToKeyframe {
+/// The uncertainty of a pose relative to a keyframe: the covariance of the error ξ, where
+/// keyframe_from_camera = estimate * Exp(ξ), ξ = [υ ω].
+struct UncertaintyToKeyframe {
   KeyframeId keyframe = kNoId;
   SE3::Matrix6 covariance = SE3::Matrix6::Zero();
+  PoseHealth health;  ///< Without `found_share`.
 };
 
 /// The uncertainty of the newest keyframes and of the frames that are located with their landmarks.
@@ -41,9 +43,10 @@ class PoseUncertainty {
   /// Returns the covariance of a located frame relative to the newest active keyframe of the joint
   /// covariance. That is computed anew, around the frame's landmarks, if it has none of their
   /// keyframes: the camera has returned to an earlier place.
-  CovarianceToKeyframe OfFrame(const Map& map, const Frame& frame, const CameraEstimate& camera);
-  /// Returns the covariance of the newest keyframe relative to the one before it.
-  CovarianceToKeyframe OfNewestKeyframe(const Map& map, const CameraEstimate& camera) const;
+  UncertaintyToKeyframe OfFrame(const Map& map, const Frame& frame, const CameraEstimate& camera);
+  /// Returns the covariance of the newest keyframe, of this frame, relative to the one before it.
+  UncertaintyToKeyframe OfNewestKeyframe(const Map& map, const Frame& frame,
+                                         const CameraEstimate& camera) const;
   /// Returns the covariance of a keyframe relative to another one. Those that the joint covariance
   /// does not contain are exact.
   SE3::Matrix6 Between(const Map& map, KeyframeId first, KeyframeId second,

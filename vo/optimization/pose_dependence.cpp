@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "vo/optimization/pose_dependence.h"
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/LU>
@@ -8,6 +9,7 @@
 #include "vo/camera/differentiable_camera.h"
 #include "vo/map/landmark_covariance.h"
 #include "vo/map/observation.h"
+#include "vo/math/median.h"
 
 namespace corvo {
 namespace {
@@ -60,11 +62,17 @@ class PoseEquations {
         frame_.is_aligned[keypoint] ? dependence_.aligned : dependence_.detected;
     errors.sum += error.dot(covariance.inverse() * error);
     errors.count += 2;
+    const double distance = in_camera.norm();
+    const Eigen::Vector3d ray = landmark.in_world - frame_.world_from_camera.translation();
+    distances_.push_back(distance);
+    distance_sigmas_.push_back(std::sqrt(ray.dot(point_covariance * ray)) / (distance * distance));
   }
 
   PoseDependence Solve() const {
     const Eigen::LDLT<SE3::Matrix6> solver(hessian_);
     PoseDependence dependence = dependence_;
+    dependence.distance = Median(distances_);
+    dependence.distance_sigma = Median(distance_sigmas_);
     dependence.keyframes = joint_.keyframes;
     for (std::size_t i = 0; i < by_keyframe_.size(); ++i) {
       dependence.gains.push_back(-solver.solve(Rotate(by_keyframe_[i], joint_.keyframes[i])));
@@ -130,6 +138,7 @@ class PoseEquations {
   std::vector<SE3::Matrix6> by_keyframe_;
   std::vector<Eigen::Matrix3d> information_;  // Of the track of the landmark being added.
   Matrix6X by_camera_;
+  std::vector<double> distances_, distance_sigmas_;
   PoseDependence dependence_;
 };
 

@@ -34,6 +34,8 @@ struct PoseDependence {
   /// The errors of both axes of the keypoints that are aligned with their landmarks' patches, and
   /// of the others, in units of S.
   ErrorStatistics aligned, detected;
+  double distance = 0;        ///< Median distance of the landmarks.
+  double distance_sigma = 0;  ///< Median of its standard deviation, relative to the distance.
 };
 
 /// Linearizes the pose of a frame in the landmarks that its keypoints observe. With the derivatives

@@ -22,6 +22,10 @@ struct TrackingResult {
   std::vector<int> contradictions;
   double contested_share = 0;  ///< See RemoveContestedKeypoints. Set for keyframes only.
 
+  /// Returns the share of the visible landmarks that are inliers.
+  double found_share() const {
+    return visible.empty() ? 0 : num_inliers / static_cast<double>(visible.size());
+  }
   bool is_tracked() const { return reason == Reason::kNone; }
 };
 

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
 
@@ -183,7 +186,7 @@ TEST_F(FrameHistoryTest, ACovarianceIsRelativeToTheFrameOfItsKeyframe) {
   history_.SetCovariance(3, 1, covariance);
   const RelativePose relative = *history_.ResultOf(3, map_).relative_pose;
   EXPECT_EQ(relative.reference, 2);
-  EXPECT_EQ(relative.covariance, covariance);
+  EXPECT_THAT(relative.covariance, test::IsMatrixNear(covariance, 1e-7));
   EXPECT_THAT(relative.reference_from_camera, test::IsPoseNear(SE3(SO3(), {0, 0, 3}), 1e-9, 1e-9));
   map_.SetPose(1, Ahead(4));
   EXPECT_THAT(history_.ResultOf(3, map_).relative_pose->reference_from_camera,
@@ -200,6 +203,19 @@ TEST_F(FrameHistoryTest, ACovarianceThatIsNotFiniteIsNotStated) {
   EXPECT_FALSE(history_.ResultOf(0, map_).relative_pose);
 }
 
+TEST_F(FrameHistoryTest, ACovarianceStaysPositiveDefinite) {
+  // Translation to the side and rotation are nearly the same to a camera with a narrow view.
+  AddKeyframe(2, 0, Ahead(2));
+  SE3::Matrix6 factor = SE3::Matrix6::Identity();
+  factor(4, 0) = 1e4;
+  const SE3::Matrix6 covariance = factor * factor.transpose();
+  history_.SetCovariance(2, 0, covariance);
+  const SE3::Matrix6 stated = history_.ResultOf(2, map_).relative_pose->covariance;
+  EXPECT_THAT(stated, test::IsMatrixNear(covariance, 1));
+  EXPECT_EQ(Eigen::LLT<SE3::Matrix6>(stated).info(), Eigen::Success);
+  EXPECT_NEAR(stated.determinant(), 1, 0.01);
+}
+
 TEST_F(FrameHistoryTest, ACovarianceIsInUnitsOfItsSegment) {
   AddKeyframe(2, 1, SE3());
   AddKeyframe(4, 1, Ahead(1));
@@ -209,8 +225,8 @@ TEST_F(FrameHistoryTest, ACovarianceIsInUnitsOfItsSegment) {
   history_.JoinSegments({0, 1, Sim3(0.5, SO3(), {0, 0, 0})}, map_);
   Eigen::Matrix<double, 6, 1> variances;
   variances << 0.25, 0.25, 0.25, 1, 1, 1;
-  EXPECT_EQ(history_.ResultOf(5, map_).relative_pose->covariance,
-            SE3::Matrix6(variances.asDiagonal()));
+  EXPECT_THAT(history_.ResultOf(5, map_).relative_pose->covariance,
+              test::IsMatrixNear(SE3::Matrix6(variances.asDiagonal()), 1e-6));
 }
 
 TEST_F(FrameHistoryTest, RotationsAreChainedToAPosedFrame) {

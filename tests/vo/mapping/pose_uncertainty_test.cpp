@@ -68,7 +68,7 @@ Eigen::Matrix<double, 6, 1> Sigmas(const SE3::Matrix6& covariance) {
 TEST_F(PoseUncertaintyTest, OfAFrameIsRelativeToTheNewestKeyframe) {
   PoseUncertainty uncertainty = Uncertainty(KnownCamera());
   uncertainty.ComputeWindow(map_, kNumViews - 2);
-  const CovarianceToKeyframe result = uncertainty.OfFrame(map_, frame_, {});
+  const UncertaintyToKeyframe result = uncertainty.OfFrame(map_, frame_, {});
   EXPECT_EQ(result.keyframe, kNumViews - 2);
   EXPECT_THAT(result.covariance, test::IsMatrixNear(result.covariance.transpose().eval(), 1e-12));
   EXPECT_GT(result.covariance.eigenvalues().real().minCoeff(), 0);
@@ -92,8 +92,8 @@ TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
   added.OfFrame(map_, frame_, {});
   added.AddKeyframe(map_, frame_);
   adjusted.OfFrame(larger, FrameIn(larger, views_.back()), {});
-  const CovarianceToKeyframe before = added.OfNewestKeyframe(larger, {});
-  const CovarianceToKeyframe after = adjusted.OfNewestKeyframe(larger, {});
+  const UncertaintyToKeyframe before = added.OfNewestKeyframe(larger, frame_, {});
+  const UncertaintyToKeyframe after = adjusted.OfNewestKeyframe(larger, frame_, {});
   EXPECT_EQ(before.keyframe, kNumViews - 2);
   EXPECT_EQ(after.keyframe, kNumViews - 2);
   const Eigen::Matrix<double, 6, 1> ratio =
@@ -105,7 +105,7 @@ TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
 TEST_F(PoseUncertaintyTest, IsAtLeastThatOfTheKeypointsAlone) {
   PoseUncertainty uncertainty = Uncertainty(KnownCamera());
   uncertainty.ComputeWindow(map_, kNumViews - 2);
-  const CovarianceToKeyframe all = uncertainty.OfFrame(map_, frame_, {});
+  const UncertaintyToKeyframe all = uncertainty.OfFrame(map_, frame_, {});
   const PoseDependence alone = LinearizePose(map_, frame_, {}, KnownCamera());
   const Eigen::Matrix<double, 6, 1> ratio =
       Sigmas(all.covariance).cwiseQuotient(Sigmas(alone.noise));
