@@ -99,7 +99,8 @@ class Worker:
         subprocess.run(["git", "pull", "--quiet"], cwd=self.source, check=True)
         subprocess.run(["git", "checkout", "--quiet", "."], cwd=self.source, check=True)
         subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja",
-                        "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
+                        "-DCMAKE_BUILD_TYPE=Release",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS",
                         "-DCORVO_BUILD_BENCHMARKS=OFF"], check=True, capture_output=True)
         if self.compile(TESTS["orb"]).returncode != 0:
             raise SystemExit("the unchanged sources do not compile")

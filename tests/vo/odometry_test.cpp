@@ -368,6 +368,7 @@ TEST(OdometryTest, OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory)
   EXPECT_LT(newest.map().ActiveKeyframes().size(),
             0.75 * everything.map().ActiveKeyframes().size());
   EXPECT_NEAR(newest.memory_use().working_set_bytes, half_way_bytes, 0.2 * half_way_bytes);
+  EXPECT_GT(newest.memory_use().working_set_bytes, newest.map().working_set_bytes());
   EXPECT_EQ(newest.map().num_landmarks() + finished.size(), everything.map().num_landmarks());
   for (const LandmarkId id : finished) EXPECT_EQ(newest.map().FindLandmark(id), nullptr);
 }

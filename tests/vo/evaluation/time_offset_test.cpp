@@ -62,6 +62,18 @@ TEST(FindTimeOffset, SuspectsNothingInAccurateOrUnrelatedTrajectories) {
   EXPECT_FALSE(FindTimeOffset(truth, {}));
 }
 
+TEST(FindTimeOffset, DoesNotDependOnTheOrigin) {
+  PoseSequence truth = Along(0, 400, 0);
+  PoseSequence unrelated = Along(2, 200, 0);
+  test::Random random(3);
+  for (TimedPose& pose : unrelated) pose.world_from_camera = random.Pose(3, 1);
+  const SE3 far(SO3(), {3000, -2000, 1000});
+  for (TimedPose& pose : truth) pose.world_from_camera = far * pose.world_from_camera;
+  EXPECT_FALSE(FindTimeOffset(unrelated, truth));
+  EXPECT_FALSE(FindTimeOffset(ShiftTimes(1000 * kSecond, unrelated), truth));
+  EXPECT_TRUE(FindTimeOffset(ShiftTimes(-kSecond, Along(2, 200, 0.005)), truth));
+}
+
 TEST(FindTimeOffset, SuspectsNothingOnAStraightPath) {
   PoseSequence truth;
   for (int i = 0; i < 200; ++i) truth.push_back({i * kFrame, SE3(SO3(), {0.1 * i, 0, 0})});

@@ -33,6 +33,13 @@ TEST(StatedFocalPriorTest, RejectsValuesOutOfRange) {
         StatedFocalPrior(520, {640, 480}, options);
       },
       test::ThrowsError("self_calibration.stated_focal_sigma is 0"));
+  options = {};
+  options.max_focal_sigma = 15;
+  EXPECT_THAT(
+      [&] {
+        StatedFocalPrior(520, {640, 480}, options);
+      },
+      test::ThrowsError("self_calibration.max_focal_sigma is 15"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -64,6 +65,18 @@ TEST_P(ChanceTest, MatchesWithClutterAreChanceHoweverManyTheyAre) {
 TEST_P(ChanceTest, AFewMatchesAreMeaningfulIfThereIsLittleClutter) {
   EXPECT_TRUE(IsBeyond(MakeFrameWithClutter(25, 0)));
   EXPECT_TRUE(IsBeyond(MakeFrameWithClutter(40, 500)));
+}
+
+TEST_P(ChanceTest, AllLandmarksAreMeaningful) {
+  const test::SceneView view = View(0.6);
+  std::vector<LandmarkId> shown;
+  for (const LandmarkId id : landmarks_) {
+    const Eigen::Vector3d& in_world = map_.FindLandmark(id)->in_world;
+    const bool is_shown = std::ranges::any_of(
+        view.points, [&](int point) { return scene_.in_world[point] == in_world; });
+    if (is_shown && shown.size() < 30) shown.push_back(id);
+  }
+  EXPECT_TRUE(IsBeyondChance(map_, shown, view.frame, {128}));
 }
 
 TEST_P(ChanceTest, AFewMatchesAreNotMeaningfulAmongDenseClutter) {

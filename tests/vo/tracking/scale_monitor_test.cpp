@@ -69,6 +69,11 @@ TEST_F(ScaleMonitorTest, FramesWhoseMatchesContradictEachOtherAreUncertain) {
   EXPECT_EQ(Add(5, 5, 5, 0.5), 5);
 }
 
+TEST_F(ScaleMonitorTest, FiveSuchFramesAreEnough) {
+  EXPECT_EQ(Add(4, 5, 5, 0.5), 0);
+  EXPECT_EQ(Add(1, 5, 5, 0.5), 1);
+}
+
 TEST_F(ScaleMonitorTest, AFrameThatIsContestedInLargePartIsUncertain) {
   const auto flow = [] { return std::optional(0.05); };
   EXPECT_FALSE(monitor_.Add({0.9, 0.2, kFrameTime, 5, kDepth}, flow));
@@ -138,6 +143,7 @@ TEST(ScaleEvidenceTest, IsMeasuredFromTheFrames) {
   }
   const Map map = test::MakeMap(scene, views);
   Frame previous = map.keyframe(0).frame;
+  previous.time_ns = 3'000'000'000;
   Frame frame = map.keyframe(1).frame;
   frame.time_ns = previous.time_ns + 200'000'000;
   TrackingResult tracking;
