@@ -335,9 +335,10 @@ void Odometry::LocalizePendingFrames(std::vector<Frame>& frames, int located, in
 void Odometry::RecordPosed(const Frame& frame, int num_matches, int num_inliers) {
   recorder_.RecordFrame(frame, segment_, map_);
   history_->SetTracked(frame, segment_, {num_matches, num_inliers}, map_);
-  const UncertaintyToKeyframe uncertainty = mapper_->UncertaintyOf(frame, map_);
-  history_->SetCovariance(frame.index, uncertainty.keyframe, uncertainty.covariance);
-  history_->outcome(frame.index).health = uncertainty.health;
+  if (const auto uncertainty = mapper_->UncertaintyOf(frame, map_)) {
+    history_->SetCovariance(frame.index, uncertainty->keyframe, uncertainty->covariance);
+    history_->outcome(frame.index).health = uncertainty->health;
+  }
 }
 
 void Odometry::RecordUnposed(int frame, const TrackingResult& tracking,

@@ -84,8 +84,8 @@ struct FrameOutcome {
   int finest_octave = kNoId;
   /// Share of the image that was excluded because it moves with the camera, 0 to 1.
   double masked_share = 0;
-  int num_matches = 0;      ///< Matches with the reference frame or, with a map, with landmarks.
-  int num_inliers = 0;      ///< Matches that are consistent with the motion or pose.
+  int num_matches = 0;  ///< Matches with the reference frame or, with a map, with landmarks.
+  int num_inliers = 0;  ///< Matches that are consistent with the motion or pose.
   PoseHealth health;
   double parallax_deg = 0;  ///< Median over the matches, rotation removed; while initializing.
   /// The status of the window adjustment whose result was used before this frame was tracked.
@@ -113,8 +113,9 @@ struct FrameResult : FrameOutcome {
   /// of that frame. Never predicted or interpolated.
   std::optional<SE3> world_from_camera;
   /// Set if the frame is posed: its pose relative to its reference keyframe, which is the newest
-  /// one when the frame was located. That of a keyframe is the one before it. The first frame of a
-  /// segment is its own reference.
+  /// one when the frame was located. That of a keyframe is the one before it; that of the first
+  /// one of a segment is the second. Missing if the reference is no longer a posed frame of the
+  /// same segment.
   std::optional<RelativePose> relative_pose;
   /// Set if the frame is posed or in State::kRotationOnly. Rotations of two segments share one
   /// reference frame only if the rotation was tracked without a gap between them.

@@ -145,7 +145,7 @@ void FrameHistory::SetPose(int frame, int segment, const SE3& world_from_camera,
 void FrameHistory::SetCovariance(int frame, KeyframeId reference, const SE3::Matrix6& covariance) {
   if (!covariance.allFinite()) return;
   Record& record = records_[frame];
-  record.covariance_reference = reference == kNoId ? frame : keyframes_.at(reference).frame;
+  record.covariance_reference = keyframes_.at(reference).frame;
   record.covariance = Pack(covariance);
 }
 

@@ -57,7 +57,7 @@ void Mapper::AdaptToJoin(const SegmentJoin& join, const Map& map) {
   uncertainty_.ComputeWindow(map, unfused_);
 }
 
-UncertaintyToKeyframe Mapper::UncertaintyOf(const Frame& frame, const Map& map) {
+std::optional<UncertaintyToKeyframe> Mapper::UncertaintyOf(const Frame& frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;
   const bool is_newest = map.keyframe(newest).frame.index == frame.index;
   return is_newest ? uncertainty_.OfNewestKeyframe(map, frame, camera_estimate())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "vo/camera/camera_prior.h"
@@ -51,8 +52,9 @@ class Mapper {
   std::size_t num_edge_bytes() const { return edges_.num_bytes(); }
 
   /// Returns the uncertainty of a located frame relative to a keyframe: of the newest keyframe
-  /// relative to the one before it, of any other frame relative to the newest one.
-  UncertaintyToKeyframe UncertaintyOf(const Frame& frame, const Map& map);
+  /// relative to the one before it, of any other frame relative to the newest one. Returns
+  /// std::nullopt if it is unknown.
+  std::optional<UncertaintyToKeyframe> UncertaintyOf(const Frame& frame, const Map& map);
 
   /// Does the work of one frame: applies the results of adjustments that are due, culls and
   /// marginalizes keyframes, fuses landmarks around the newest keyframe and starts the next

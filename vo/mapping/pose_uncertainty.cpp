@@ -41,7 +41,7 @@ KeyframeId NewestActive(const Map& map, const KeyframeCovariance& joint) {
   return kNoId;
 }
 
-/// Whether a frame observes landmarks of active keyframes of a joint covariance.
+/// Whether a frame observes landmarks of keyframes of a joint covariance.
 bool IsAmong(const Map& map, const Frame& frame, const KeyframeCovariance& joint) {
   return std::ranges::any_of(frame.landmarks, [&](LandmarkId id) {
     const Landmark* landmark = map.FindLandmark(id);
@@ -62,7 +62,9 @@ KeyframeId KeyframeBefore(const Map& map, KeyframeId keyframe) {
 }
 
 PoseUncertainty::PoseUncertainty(const CameraPrior& prior, const BundleAdjusterOptions& options)
-    : free_(prior.free), window_options_(options) {}
+    : free_(prior.free), window_options_(options) {
+  joint_.by_camera = Eigen::MatrixXd::Zero(0, prior.num_free());
+}
 
 void PoseUncertainty::UseWindow(KeyframeCovariance window) {
   if (window.keyframes.empty()) return;
@@ -75,8 +77,8 @@ void PoseUncertainty::UseWindow(KeyframeCovariance window) {
 void PoseUncertainty::ComputeWindow(const Map& map, KeyframeId keyframe) {
   const Bundle bundle = CopyBundle(map, SelectWindow(map, keyframe, window_options_));
   added_.clear();
-  UseWindow(CovarianceOfViews(CameraOf(map), bundle,
-                              SelectPoints(bundle, window_options_.points_per_keyframe)));
+  joint_ = CovarianceOfViews(CameraOf(map), bundle,
+                             SelectPoints(bundle, window_options_.points_per_keyframe));
 }
 
 void PoseUncertainty::AddKeyframe(const Map& map, const Frame& frame) {
@@ -91,24 +93,26 @@ void PoseUncertainty::AddKeyframe(const Map& map, const Frame& frame) {
 void PoseUncertainty::Append(const Added& added) {
   const Gains gains = JoinGains(added.dependence, joint_);
   const Eigen::Index size = joint_.matrix.rows();
-  Eigen::MatrixXd matrix(size + 6, size + 6);
   const Gains with_others = gains * joint_.matrix;
-  matrix << joint_.matrix, with_others.transpose(),  //
-      with_others, with_others * gains.transpose() + added.dependence.noise;
+  Eigen::MatrixXd matrix(size + 6, size + 6);
+  matrix.topLeftCorner(size, size) = joint_.matrix;
+  matrix.topRightCorner(size, 6) = with_others.transpose();
+  matrix.bottomLeftCorner(6, size) = with_others;
+  matrix.bottomRightCorner<6, 6>() = with_others * gains.transpose() + added.dependence.noise;
   joint_.by_camera.conservativeResize(size + 6, Eigen::NoChange);
   joint_.by_camera.bottomRows<6>() = added.dependence.by_camera;
   joint_.keyframes.push_back(added.keyframe);
   joint_.matrix = std::move(matrix);
 }
 
-UncertaintyToKeyframe PoseUncertainty::OfFrame(const Map& map, const Frame& frame,
-                                               const CameraEstimate& camera) {
+std::optional<UncertaintyToKeyframe> PoseUncertainty::OfFrame(const Map& map, const Frame& frame,
+                                                              const CameraEstimate& camera) {
   if (!IsAmong(map, frame, joint_)) {
     const std::vector<Covisible> covisible = map.FindCovisible(frame);
     if (!covisible.empty()) ComputeWindow(map, covisible.front().keyframe);
   }
   const KeyframeId reference = NewestActive(map, joint_);
-  if (reference == kNoId) return {};
+  if (reference == kNoId) return std::nullopt;
   const PoseDependence dependence = LinearizePose(map, frame, joint_, CameraOf(map));
   variance_.Add(dependence);
   factor_ = kCorrelation * variance_.Of(dependence);
@@ -121,21 +125,22 @@ UncertaintyToKeyframe PoseUncertainty::OfFrame(const Map& map, const Frame& fram
       dependence.by_camera - adjoint * joint_.by_camera.middleRows<6>(6 * position);
   const SE3::Matrix6 covariance = factor_ * (dependence.noise + Propagate(gains, joint_.matrix)) +
                                   Propagate(by_camera, camera.covariance);
-  return {reference, covariance, AssessPose(frame, map.camera(), dependence, factor_, covariance)};
+  return UncertaintyToKeyframe{reference, covariance,
+                               AssessPose(frame, map.camera(), dependence, factor_, covariance)};
 }
 
-UncertaintyToKeyframe PoseUncertainty::OfNewestKeyframe(const Map& map, const Frame& frame,
-                                                        const CameraEstimate& camera) const {
-  if (joint_.keyframes.empty()) return {};
-  const KeyframeId keyframe = joint_.keyframes.back();
+std::optional<UncertaintyToKeyframe> PoseUncertainty::OfNewestKeyframe(
+    const Map& map, const Frame& frame, const CameraEstimate& camera) const {
+  const KeyframeId keyframe = map.num_keyframes() - 1;
   const KeyframeId reference = KeyframeBefore(map, keyframe);
-  if (reference == kNoId) return {};
+  if (reference == kNoId || joint_.Find(keyframe) == kNoId) return std::nullopt;
   const bool is_added = !added_.empty() && added_.back().keyframe == keyframe;
   const PoseDependence dependence =
       is_added ? added_.back().dependence
                : LinearizePose(map, frame, {}, {map.camera().parameters(), {}});
   const SE3::Matrix6 covariance = Between(map, reference, keyframe, camera);
-  return {reference, covariance, AssessPose(frame, map.camera(), dependence, factor_, covariance)};
+  return UncertaintyToKeyframe{reference, covariance,
+                               AssessPose(frame, map.camera(), dependence, factor_, covariance)};
 }
 
 SE3::Matrix6 PoseUncertainty::Between(const Map& map, KeyframeId first, KeyframeId second,

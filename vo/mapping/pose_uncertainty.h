@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "vo/camera/camera_prior.h"
@@ -42,11 +43,13 @@ class PoseUncertainty {
 
   /// Returns the covariance of a located frame relative to the newest active keyframe of the joint
   /// covariance. That is computed anew, around the frame's landmarks, if it has none of their
-  /// keyframes: the camera has returned to an earlier place.
-  UncertaintyToKeyframe OfFrame(const Map& map, const Frame& frame, const CameraEstimate& camera);
-  /// Returns the covariance of the newest keyframe, of this frame, relative to the one before it.
-  UncertaintyToKeyframe OfNewestKeyframe(const Map& map, const Frame& frame,
-                                         const CameraEstimate& camera) const;
+  /// keyframes: the camera has returned to an earlier place. Returns std::nullopt if it is unknown.
+  std::optional<UncertaintyToKeyframe> OfFrame(const Map& map, const Frame& frame,
+                                               const CameraEstimate& camera);
+  /// Returns the covariance of the newest keyframe, of this frame, relative to the one before it,
+  /// or std::nullopt if it is unknown.
+  std::optional<UncertaintyToKeyframe> OfNewestKeyframe(const Map& map, const Frame& frame,
+                                                        const CameraEstimate& camera) const;
   /// Returns the covariance of a keyframe relative to another one. Those that the joint covariance
   /// does not contain are exact.
   SE3::Matrix6 Between(const Map& map, KeyframeId first, KeyframeId second,

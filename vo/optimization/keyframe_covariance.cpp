@@ -102,6 +102,7 @@ KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bu
   const std::vector<int> views = UncertainViews(bundle);
   KeyframeCovariance covariance;
   for (const int view : views) covariance.keyframes.push_back(bundle.views[view].keyframe);
+  covariance.by_camera = Eigen::MatrixXd::Zero(0, num_free);
   if (views.empty()) return covariance;
   const ReducedInformation reduced(bundle, is_joint, differentiable, num_free);
   Eigen::MatrixXd information = SelectViews(reduced.PoseMatrix(), views);

@@ -2,6 +2,7 @@
 #include "vo/optimization/pose_dependence.h"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <Eigen/LU>
@@ -14,6 +15,7 @@
 namespace corvo {
 namespace {
 
+using Matrix62 = Eigen::Matrix<double, 6, 2>;
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
@@ -42,35 +44,18 @@ class PoseEquations {
 
   /// Adds the observation of a landmark by a keypoint.
   void Add(int keypoint, const Landmark& landmark) {
-    const Eigen::Vector3d in_camera = camera_from_world_ * landmark.in_world;
-    Camera::Jacobian by_camera_point;
-    const auto projected = map_.camera().Project(in_camera, &by_camera_point);
-    if (!projected) return;
-    Eigen::Matrix<double, 2, 6> by_pose;
-    by_pose << -by_camera_point, by_camera_point * SO3::Hat(in_camera);
-    const Camera::Jacobian by_point = by_camera_point * camera_from_world_.rotation().matrix();
-    const Eigen::Matrix3d point_covariance = CovarianceOf(landmark);
-    const double sigma_px = map_.model().Sigma(frame_, keypoint);
-    const Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity() +
-                                       by_point * point_covariance * by_point.transpose();
-    const Eigen::Matrix<double, 6, 2> weighted = by_pose.transpose() * covariance.inverse();
-    hessian_ += weighted * by_pose;
-    AddKeyframes(landmark, weighted * by_point * point_covariance);
-    AddCamera(landmark, in_camera, *projected, by_pose, by_point, weighted);
-    const Eigen::Vector2d error = *projected - frame_.pixel(keypoint);
-    ErrorStatistics& errors =
-        frame_.is_aligned[keypoint] ? dependence_.aligned : dependence_.detected;
-    errors.sum += error.dot(covariance.inverse() * error);
-    errors.count += 2;
-    const double distance = in_camera.norm();
-    const Eigen::Vector3d ray = landmark.in_world - frame_.world_from_camera.translation();
-    distances_.push_back(distance);
-    distance_sigmas_.push_back(std::sqrt(ray.dot(point_covariance * ray)) / (distance * distance));
+    const std::optional<Terms> terms = Linearize(keypoint, landmark);
+    if (!terms) return;
+    const Matrix62 weighted = terms->by_pose.transpose() * terms->information;
+    hessian_ += weighted * terms->by_pose;
+    AddKeyframes(landmark, weighted * terms->by_point * terms->point_covariance);
+    AddCamera(landmark, weighted, *terms);
+    AddStatistics(keypoint, landmark, *terms);
   }
 
   PoseDependence Solve() const {
     const Eigen::LDLT<SE3::Matrix6> solver(hessian_);
-    PoseDependence dependence = dependence_;
+    PoseDependence dependence = statistics_;
     dependence.distance = Median(distances_);
     dependence.distance_sigma = Median(distance_sigmas_);
     dependence.keyframes = joint_.keyframes;
@@ -83,6 +68,33 @@ class PoseEquations {
   }
 
  private:
+  /// The parts of the normal equations of one observation.
+  struct Terms {
+    Eigen::Vector3d in_camera;
+    Eigen::Vector2d projected;
+    Eigen::Matrix<double, 2, 6> by_pose;
+    Camera::Jacobian by_point;
+    Eigen::Matrix3d point_covariance;
+    Eigen::Matrix2d information;  // S⁻¹
+  };
+
+  std::optional<Terms> Linearize(int keypoint, const Landmark& landmark) {
+    Terms terms;
+    terms.in_camera = camera_from_world_ * landmark.in_world;
+    Camera::Jacobian by_camera_point;
+    const auto projected = map_.camera().Project(terms.in_camera, &by_camera_point);
+    if (!projected) return std::nullopt;
+    terms.projected = *projected;
+    terms.by_pose << -by_camera_point, by_camera_point * SO3::Hat(terms.in_camera);
+    terms.by_point = by_camera_point * camera_from_world_.rotation().matrix();
+    terms.point_covariance = CovarianceOf(landmark);
+    const double sigma_px = map_.model().Sigma(frame_, keypoint);
+    terms.information = (sigma_px * sigma_px * Eigen::Matrix2d::Identity() +
+                         terms.by_point * terms.point_covariance * terms.by_point.transpose())
+                            .inverse();
+    return terms;
+  }
+
   /// Returns the LandmarkCovariance and keeps the information of each element of the track.
   Eigen::Matrix3d CovarianceOf(const Landmark& landmark) {
     information_.clear();
@@ -109,14 +121,24 @@ class PoseEquations {
   }
 
   /// Adds the part of the camera, if the landmark's derivative is known.
-  void AddCamera(const Landmark& landmark, const Eigen::Vector3d& in_camera,
-                 const Eigen::Vector2d& pixel, const Eigen::Matrix<double, 2, 6>& by_pose,
-                 const Camera::Jacobian& by_point, const Eigen::Matrix<double, 6, 2>& weighted) {
+  void AddCamera(const Landmark& landmark, const Matrix62& weighted, const Terms& terms) {
     const auto moved = joint_.landmarks_by_camera.find(landmark.id);
     if (moved == joint_.landmarks_by_camera.end()) return;
-    hessian_by_camera_ += weighted * by_pose;
-    by_camera_ +=
-        weighted * (camera_.PixelByDifference(in_camera, pixel) + by_point * moved->second);
+    hessian_by_camera_ += weighted * terms.by_pose;
+    by_camera_ += weighted * (camera_.PixelByDifference(terms.in_camera, terms.projected) +
+                              terms.by_point * moved->second);
+  }
+
+  void AddStatistics(int keypoint, const Landmark& landmark, const Terms& terms) {
+    const Eigen::Vector2d error = terms.projected - frame_.pixel(keypoint);
+    ErrorStatistics& errors =
+        frame_.is_aligned[keypoint] ? statistics_.aligned : statistics_.detected;
+    errors.sum += error.dot(terms.information * error);
+    errors.count += 2;
+    const Eigen::Vector3d ray = landmark.in_world - frame_.world_from_camera.translation();
+    distances_.push_back(ray.norm());
+    distance_sigmas_.push_back(std::sqrt(ray.dot(terms.point_covariance * ray)) /
+                               ray.squaredNorm());
   }
 
   /// Returns the part of a keyframe with respect to a perturbation in its own axes.
@@ -139,7 +161,7 @@ class PoseEquations {
   std::vector<Eigen::Matrix3d> information_;  // Of the track of the landmark being added.
   Matrix6X by_camera_;
   std::vector<double> distances_, distance_sigmas_;
-  PoseDependence dependence_;
+  PoseDependence statistics_;  // Without the solution.
 };
 
 }  // namespace

@@ -193,13 +193,8 @@ TEST_F(FrameHistoryTest, ACovarianceIsRelativeToTheFrameOfItsKeyframe) {
               test::IsPoseNear(SE3(SO3(), {0, 0, 3}), 1e-9, 1e-9));
 }
 
-TEST_F(FrameHistoryTest, TheFirstKeyframeIsItsOwnReference) {
-  history_.SetCovariance(0, kNoId, SE3::Matrix6::Zero());
-  EXPECT_EQ(history_.ResultOf(0, map_).relative_pose->reference, 0);
-}
-
 TEST_F(FrameHistoryTest, ACovarianceThatIsNotFiniteIsNotStated) {
-  history_.SetCovariance(0, kNoId, SE3::Matrix6::Constant(std::nan("")));
+  history_.SetCovariance(0, 0, SE3::Matrix6::Constant(std::nan("")));
   EXPECT_FALSE(history_.ResultOf(0, map_).relative_pose);
 }
 

@@ -68,7 +68,7 @@ Eigen::Matrix<double, 6, 1> Sigmas(const SE3::Matrix6& covariance) {
 TEST_F(PoseUncertaintyTest, OfAFrameIsRelativeToTheNewestKeyframe) {
   PoseUncertainty uncertainty = Uncertainty(KnownCamera());
   uncertainty.ComputeWindow(map_, kNumViews - 2);
-  const UncertaintyToKeyframe result = uncertainty.OfFrame(map_, frame_, {});
+  const UncertaintyToKeyframe result = uncertainty.OfFrame(map_, frame_, {}).value();
   EXPECT_EQ(result.keyframe, kNumViews - 2);
   EXPECT_THAT(result.covariance, test::IsMatrixNear(result.covariance.transpose().eval(), 1e-12));
   EXPECT_GT(result.covariance.eigenvalues().real().minCoeff(), 0);
@@ -79,7 +79,16 @@ TEST_F(PoseUncertaintyTest, OfAFrameIsRelativeToTheNewestKeyframe) {
 
 TEST_F(PoseUncertaintyTest, IsComputedAnewWhereTheCameraHasReturnedTo) {
   PoseUncertainty uncertainty = Uncertainty(KnownCamera());
-  EXPECT_EQ(uncertainty.OfFrame(map_, frame_, {}).keyframe, kNumViews - 2);
+  EXPECT_EQ(uncertainty.OfFrame(map_, frame_, {})->keyframe, kNumViews - 2);
+}
+
+TEST_F(PoseUncertaintyTest, IsUnknownWithoutOtherKeyframes) {
+  PoseUncertainty uncertainty = Uncertainty(KnownCamera());
+  EXPECT_FALSE(uncertainty.OfNewestKeyframe(map_, frame_, {}));
+  frame_.landmarks.assign(frame_.landmarks.size(), kNoId);
+  EXPECT_FALSE(uncertainty.OfFrame(map_, frame_, {}));
+  uncertainty.AddKeyframe(map_, frame_);
+  EXPECT_THAT(uncertainty.keyframes(), ::testing::ElementsAre(kNumViews - 1));
 }
 
 TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
@@ -92,8 +101,8 @@ TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
   added.OfFrame(map_, frame_, {});
   added.AddKeyframe(map_, frame_);
   adjusted.OfFrame(larger, FrameIn(larger, views_.back()), {});
-  const UncertaintyToKeyframe before = added.OfNewestKeyframe(larger, frame_, {});
-  const UncertaintyToKeyframe after = adjusted.OfNewestKeyframe(larger, frame_, {});
+  const UncertaintyToKeyframe before = added.OfNewestKeyframe(larger, frame_, {}).value();
+  const UncertaintyToKeyframe after = adjusted.OfNewestKeyframe(larger, frame_, {}).value();
   EXPECT_EQ(before.keyframe, kNumViews - 2);
   EXPECT_EQ(after.keyframe, kNumViews - 2);
   const Eigen::Matrix<double, 6, 1> ratio =
@@ -105,7 +114,7 @@ TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
 TEST_F(PoseUncertaintyTest, IsAtLeastThatOfTheKeypointsAlone) {
   PoseUncertainty uncertainty = Uncertainty(KnownCamera());
   uncertainty.ComputeWindow(map_, kNumViews - 2);
-  const UncertaintyToKeyframe all = uncertainty.OfFrame(map_, frame_, {});
+  const UncertaintyToKeyframe all = uncertainty.OfFrame(map_, frame_, {}).value();
   const PoseDependence alone = LinearizePose(map_, frame_, {}, KnownCamera());
   const Eigen::Matrix<double, 6, 1> ratio =
       Sigmas(all.covariance).cwiseQuotient(Sigmas(alone.noise));
@@ -117,9 +126,9 @@ TEST_F(PoseUncertaintyTest, GrowsWithTheUncertaintyOfTheCamera) {
   PoseUncertainty uncertainty = Uncertainty(prior);
   uncertainty.ComputeWindow(map_, kNumViews - 2);
   CameraEstimate camera = PriorEstimate(prior);
-  const SE3::Matrix6 uncertain = uncertainty.OfFrame(map_, frame_, camera).covariance;
+  const SE3::Matrix6 uncertain = uncertainty.OfFrame(map_, frame_, camera)->covariance;
   camera.covariance *= 0;
-  const SE3::Matrix6 certain = uncertainty.OfFrame(map_, frame_, camera).covariance;
+  const SE3::Matrix6 certain = uncertainty.OfFrame(map_, frame_, camera)->covariance;
   const SE3::Matrix6 difference = uncertain - certain;
   EXPECT_GT(difference.trace(), 0.1 * certain.trace());
   EXPECT_GT(difference.eigenvalues().real().minCoeff(), -1e-6 * difference.trace());

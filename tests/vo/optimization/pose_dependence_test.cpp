@@ -65,17 +65,18 @@ TEST_F(PoseDependenceTest, TheFrameFollowsACommonMotionOfAllKeyframes) {
 
 TEST_F(PoseDependenceTest, KeyframesThatAreNotAskedForAreExact) {
   const PoseDependence all = Linearize({0, 1, 2, 3});
-  const PoseDependence some = Linearize({1, 3, 7});
+  const PoseDependence some = Linearize({1, 3});
   EXPECT_EQ(some.gains[0], all.gains[1]);
   EXPECT_EQ(some.gains[1], all.gains[3]);
-  EXPECT_EQ(some.gains[2], SE3::Matrix6::Zero());
   EXPECT_EQ(some.noise, all.noise);
 }
 
 TEST_F(PoseDependenceTest, TheNoiseGrowsWithThatOfTheKeypoints) {
   MeasurementModel twice = map_.model();
   const PoseDependence once = Linearize({});
-  EXPECT_NEAR(once.detected.sum / once.detected.count, 1, 0.3);
+  // The landmarks are at their true places, so that the errors are those of the pixels alone.
+  EXPECT_GT(once.detected.sum / once.detected.count, 0.3);
+  EXPECT_LT(once.detected.sum / once.detected.count, 1);
   twice.options.keypoint_sigma_px *= 2;
   Map map(twice);
   for (KeyframeId id = 0; id < 4; ++id) {
