@@ -89,6 +89,17 @@ class Pipeline : public testing::Test {
   }
   static fs::path Truth() { return Street() / "groundtruth.txt"; }
 
+  /// Runs a script of the tests with the packages of the development environment.
+  static CommandResult RunPython(const std::vector<std::string>& arguments) {
+    const fs::path python = SourceDir() / ".venv" / "bin" / "python";
+    if (!fs::exists(python)) return {};
+    return RunProgram(python, arguments,
+                      {"HOME=" + folder_->path().string(), "PATH=/usr/bin:/bin"});
+  }
+  static bool HasPythonPackage(const std::string& name) {
+    return fs::exists(SourceDir() / ".venv") && RunPython({"-c", "import " + name}).exit_code == 0;
+  }
+
   static std::unique_ptr<TempFolder> folder_;
 };
 
@@ -314,20 +325,14 @@ TEST_F(Pipeline, AResultIsExportedForOtherPrograms) {
 }
 
 TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
-  const fs::path python = SourceDir() / ".venv" / "bin" / "python";
-  const std::vector<std::string> environment = {"HOME=" + folder_->path().string(),
-                                                "PATH=/usr/bin:/bin"};
-  if (!fs::exists(python) ||
-      RunProgram(python, {"-c", "import pycolmap"}, environment).exit_code != 0) {
+  if (!HasPythonPackage("pycolmap")) {
     GTEST_SKIP() << "pycolmap is missing: scripts/install_dependencies.sh --development";
   }
   for (const std::string format : {"--text", "--force"}) {
     const fs::path model = *folder_ / "colmap";
     ASSERT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", model, format}).exit_code, 0);
-    const CommandResult check = RunProgram(
-        python,
-        {(SourceDir() / "tests/cli/check_colmap_model.py").string(), (model / "sparse/0").string()},
-        environment);
+    const CommandResult check =
+        RunPython({SourceDir() / "tests/cli/check_colmap_model.py", model / "sparse/0"});
     ASSERT_EQ(check.exit_code, 0) << check.err;
     const auto measures = nlohmann::json::parse(check.out);
     EXPECT_GT(measures["observations"], 500);
@@ -340,17 +345,11 @@ TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
 }
 
 TEST_F(Pipeline, GtsamReadsThePoseGraphAndClosesALoop) {
-  const fs::path python = SourceDir() / ".venv" / "bin" / "python";
-  const std::vector<std::string> environment = {"HOME=" + folder_->path().string(),
-                                                "PATH=/usr/bin:/bin"};
-  if (!fs::exists(python) ||
-      RunProgram(python, {"-c", "import gtsam"}, environment).exit_code != 0) {
+  if (!HasPythonPackage("gtsam")) {
     GTEST_SKIP() << "gtsam is missing: scripts/install_dependencies.sh --development";
   }
-  const CommandResult check = RunProgram(
-      python,
-      {(SourceDir() / "tests/cli/check_pose_graph.py").string(), Result() / "pose_graph.g2o"},
-      environment);
+  const CommandResult check =
+      RunPython({SourceDir() / "tests/cli/check_pose_graph.py", Result() / "pose_graph.g2o"});
   ASSERT_EQ(check.exit_code, 0) << check.err;
   const auto measures = nlohmann::json::parse(check.out);
   EXPECT_GT(measures["vertices"], 5);
