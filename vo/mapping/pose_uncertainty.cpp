@@ -30,6 +30,7 @@ Gains JoinGains(const PoseDependence& dependence, const KeyframeCovariance& join
 
 /// Returns G P Gᵀ.
 SE3::Matrix6 Propagate(const Gains& gains, const Eigen::MatrixXd& covariance) {
+  if (gains.cols() == 0) return SE3::Matrix6::Zero();
   return gains * covariance * gains.transpose();
 }
 
@@ -100,7 +101,7 @@ void PoseUncertainty::Append(const Added& added) {
   matrix.bottomLeftCorner(6, size) = with_others;
   matrix.bottomRightCorner<6, 6>() = with_others * gains.transpose() + added.dependence.noise;
   joint_.by_camera.conservativeResize(size + 6, Eigen::NoChange);
-  joint_.by_camera.bottomRows<6>() = added.dependence.by_camera;
+  if (!free_.empty()) joint_.by_camera.bottomRows<6>() = added.dependence.by_camera;
   joint_.keyframes.push_back(added.keyframe);
   joint_.matrix = std::move(matrix);
 }
@@ -121,8 +122,7 @@ std::optional<UncertaintyToKeyframe> PoseUncertainty::OfFrame(const Map& map, co
       (frame.world_from_camera.Inverse() * map.WorldFromKeyframe(reference)).Adjoint();
   Gains gains = JoinGains(dependence, joint_);
   gains.middleCols<6>(6 * position) -= adjoint;
-  const Gains by_camera =
-      dependence.by_camera - adjoint * joint_.by_camera.middleRows<6>(6 * position);
+  const Gains by_camera = dependence.by_camera - adjoint * joint_.ByCamera(position);
   const SE3::Matrix6 covariance = factor_ * (dependence.noise + Propagate(gains, joint_.matrix)) +
                                   Propagate(by_camera, camera.covariance);
   return UncertaintyToKeyframe{reference, covariance,
@@ -152,11 +152,11 @@ SE3::Matrix6 PoseUncertainty::Between(const Map& map, KeyframeId first, Keyframe
   Gains by_camera = Gains::Zero(6, joint_.by_camera.cols());
   if (b != kNoId) {
     of_noise += joint_.Block(b, b);
-    by_camera += joint_.by_camera.middleRows<6>(6 * b);
+    by_camera += joint_.ByCamera(b);
   }
   if (a != kNoId) {
     of_noise += adjoint * joint_.Block(a, a) * adjoint.transpose();
-    by_camera -= adjoint * joint_.by_camera.middleRows<6>(6 * a);
+    by_camera -= adjoint * joint_.ByCamera(a);
   }
   if (a != kNoId && b != kNoId) {
     const SE3::Matrix6 both = adjoint * joint_.Block(a, b);

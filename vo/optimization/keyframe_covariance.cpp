@@ -78,8 +78,7 @@ void SetLandmarksByCamera(const Bundle& bundle, const std::vector<char>& is_join
       by_camera += o.by_point.transpose() * o.by_camera;
       const int position = covariance.Find(bundle.views[o.view].keyframe);
       if (position == kNoId) continue;
-      by_camera +=
-          o.by_point.transpose() * (o.by_pose * covariance.by_camera.middleRows<6>(6 * position));
+      by_camera += o.by_point.transpose() * (o.by_pose * covariance.ByCamera(position));
     }
     covariance.landmarks_by_camera[bundle.points[point].landmark] =
         -world_from_local * information.ldlt().solve(by_camera);
@@ -92,6 +91,12 @@ int KeyframeCovariance::Find(KeyframeId keyframe) const {
   const auto found = std::ranges::lower_bound(keyframes, keyframe);
   if (found == keyframes.end() || *found != keyframe) return kNoId;
   return static_cast<int>(found - keyframes.begin());
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> KeyframeCovariance::ByCamera(int position) const {
+  // A block of a matrix without columns would be at an offset from a null pointer.
+  if (by_camera.cols() == 0) return Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
+  return by_camera.middleRows<6>(6 * position);
 }
 
 KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bundle,
@@ -111,8 +116,10 @@ KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bu
   const Eigen::LDLT<Eigen::MatrixXd> solver(information);
   covariance.matrix =
       solver.solve(Eigen::MatrixXd::Identity(6 * covariance.size(), 6 * covariance.size()));
+  covariance.by_camera = Eigen::MatrixXd::Zero(6 * covariance.size(), num_free);
+  if (num_free == 0) return covariance;
   covariance.by_camera = -solver.solve(SelectRows(reduced.pose_camera(), views));
-  if (num_free > 0) SetLandmarksByCamera(bundle, is_joint, differentiable, covariance);
+  SetLandmarksByCamera(bundle, is_joint, differentiable, covariance);
   return covariance;
 }
 

@@ -32,6 +32,8 @@ struct KeyframeCovariance {
   int Find(KeyframeId keyframe) const;
   /// Returns the covariance of two keyframes, given their positions.
   SE3::Matrix6 Block(int row, int column) const { return matrix.block<6, 6>(6 * row, 6 * column); }
+  /// Returns the rows of `by_camera` of a keyframe, given its position.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> ByCamera(int position) const;
 };
 
 /// Returns the covariance of the views of an adjusted bundle: the inverse of the normal equations

@@ -62,7 +62,10 @@ class PoseEquations {
     for (std::size_t i = 0; i < by_keyframe_.size(); ++i) {
       dependence.gains.push_back(-solver.solve(Rotate(by_keyframe_[i], joint_.keyframes[i])));
     }
-    dependence.by_camera = -hessian_by_camera_.ldlt().solve(by_camera_);
+    dependence.by_camera = by_camera_;
+    if (by_camera_.cols() > 0) {
+      dependence.by_camera = -hessian_by_camera_.ldlt().solve(by_camera_);
+    }
     dependence.noise = solver.solve(SE3::Matrix6::Identity());
     return dependence;
   }

@@ -95,6 +95,8 @@ void ReducedInformation::AddPoint(const std::vector<LinearizedObservation>& obse
         Block(a.view, b.view) -= gain * (b.by_point.transpose() * b.by_pose);
       }
     }
+    // A block of a matrix without columns would be at an offset from a null pointer.
+    if (camera_.cols() == 0) continue;
     pose_camera_.middleRows<6>(6 * a.view) +=
         a.by_pose.transpose() * a.by_camera - gain * camera_point.transpose();
     camera_ += a.by_camera.transpose() * a.by_camera;
