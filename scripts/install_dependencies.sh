@@ -5,7 +5,7 @@
 #
 #   install_dependencies.sh [--development]
 #
-#   --development   also ccache, clang 14, clang-format 14, clang-tidy 14, codespell and doxygen, and
+#   --development   also clang 14, clang-format 14, clang-tidy 14, codespell and doxygen, and
 #                   in the folder .venv evo, pycolmap and gtsam (PyPI), with which the tests compare
 #                   measures, read exported models and close loops; continuous integration uses these
 set -euo pipefail
@@ -14,7 +14,7 @@ set -euo pipefail
 packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-dev libhwy-dev
   libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev
   libbenchmark-dev gnuplot-nox)
-development=(ccache clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
+development=(clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
   python3-venv)
 python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0)
 

@@ -300,6 +300,7 @@ TEST_F(Run, WarnsIfImagesDoNotDetermineTheFocalLength) {
 
 /// The images of a rendered room are given without their camera file.
 TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
+  CORVO_SKIP_IF_SHORT();
   const int every = 6;
   RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100"});
   const std::vector<std::string> arguments = {"run",     folder_ / "room/rgb",  "--focal", "auto",
@@ -668,6 +669,7 @@ CommandResult RunKitchen(const fs::path& folder, double focal_px,
 }
 
 TEST(RunWithTheWrongCamera, WarnsThatTheCalibrationIsImplausible) {
+  CORVO_SKIP_IF_SHORT();
   CORVO_REQUIRE_DATA("7scenes/redkitchen");
   const TempFolder folder;
   const auto residuals = [&] {

@@ -69,6 +69,7 @@ double RmsCorrelation(const std::string& pattern) {
 }
 
 TEST(LearnedPatternTest, TestsCorrelateLessThanThoseOfTheSampledPattern) {
+  CORVO_SKIP_IF_SHORT();
   CORVO_REQUIRE_DATA("oxford_affine");
   EXPECT_LT(RmsCorrelation("learned"), RmsCorrelation("brief"));
 }

@@ -13,6 +13,7 @@
 #include "apps/synthetic/random.h"
 #include "apps/synthetic/sequence.h"
 #include "tests/cli/expect_error.h"
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 
 namespace corvo::synthetic {
@@ -154,6 +155,7 @@ TEST_P(EveryScene, ImagesDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST_P(EveryScene, ImagesDoNotDependOnTheSequenceLength) {
+  CORVO_SKIP_IF_SHORT();
   const Sequence brief = GetParam().make(Small(3, GetParam().width));
   const Sequence longer = GetParam().make(Small(400, GetParam().width));
   EXPECT_EQ(cv::norm(brief.Render(2), longer.Render(2), cv::NORM_INF), 0);
@@ -171,6 +173,7 @@ TEST_P(EveryScene, StartsAtTheOriginAndTimestampsFollowTheFrameRate) {
 
 /// The next frame shows the same gray at the position that the ground truth predicts.
 TEST_P(EveryScene, IsPhotometricallyConsistent) {
+  CORVO_SKIP_IF_SHORT();
   const Sequence sequence = GetParam().make(Small(4, GetParam().width));
   EXPECT_LT(MedianPhotometricError(sequence, 2, 3), 1.5);
 }
@@ -180,6 +183,7 @@ class TexturedScene : public EveryScene {};
 /// Real images have as many corners with the same repeatability: on KITTI 03 and 05, and on
 /// 7-Scenes, 65% to 82% of the corners that optical flow can follow are detected again.
 TEST_P(TexturedScene, HasRealisticCorners) {
+  CORVO_SKIP_IF_SHORT();
   const Sequence sequence = GetParam().make(Small(2, GetParam().width));
   EXPECT_GT(Corners(sequence.Render(0)).size(), 1000u);
   EXPECT_GT(Repeatability(sequence, 0), 0.65);
@@ -353,6 +357,7 @@ TEST_F(NoisyWall, NoiseHasTheGivenStandardDeviation) {
 }
 
 TEST_F(NoisyWall, NoiseDependsOnFrameAndSeedOnly) {
+  CORVO_SKIP_IF_SHORT();
   const cv::Mat noise = Noise(0, 5, 1);
   EXPECT_EQ(cv::norm(noise, Noise(0, 5, 1), cv::NORM_INF), 0);
   EXPECT_GT(cv::norm(noise, Noise(1, 5, 1), cv::NORM_INF), 10);

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
 #include "tests/vo/two_walls.h"
@@ -91,6 +92,7 @@ TEST(OdometrySegmentsTest, ASegmentThatSeesAnEarlierOneIsJoinedWithItInItsScale)
 }
 
 TEST(OdometrySegmentsTest, AJoinedRunIsTheSameForAnyNumberOfThreads) {
+  CORVO_SKIP_IF_SHORT();
   const std::vector<cv::Mat> images = RenderReturn();
   const Trajectory one = RunFilm(images, 1), two = RunFilm(images, 2);
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -296,6 +296,7 @@ TEST(OdometryTest, ScaleOfANewSegmentStatesHowItCameAbout) {
 }
 
 TEST(OdometryTest, ANewSegmentGetsKeyframesLikeTheFirst) {
+  CORVO_SKIP_IF_SHORT();
   std::vector<cv::Mat> drive = MakeDrive(25, 7);
   for (const cv::Mat& image : MakeDrive(25, 20)) drive.push_back(image);
   Odometry odometry(test::PinholeCamera());
@@ -326,6 +327,7 @@ TEST(OdometryTest, RelocalizesInTheSameSegmentAfterAJumpBack) {
 }
 
 TEST(OdometryTest, ANewSegmentWaitsForMaxLostTime) {
+  CORVO_SKIP_IF_SHORT();
   std::vector<cv::Mat> drive = MakeDrive(12, 7);
   for (const cv::Mat& image : MakeDrive(12, 20)) drive.push_back(image);
   for (const double max_lost_s : {0.0, 0.5, 10.0}) {

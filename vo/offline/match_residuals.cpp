@@ -40,10 +40,10 @@ std::vector<Residual> ResidualsOf(const Map& map, const Keyframe& keyframe,
   return residuals;
 }
 
-/// Returns the median distance of the matches that are not due to chance. Matches by chance are
-/// spread evenly over the search windows, of which the outer half of the area has few others.
+/// Returns the median distance of the matches, at least one, that are not due to chance. Matches by
+/// chance are spread evenly over the search windows, of which the outer half of the area has few
+/// others.
 double MedianWithoutChance(std::vector<Residual> residuals) {
-  if (residuals.empty()) return 0;
   std::sort(residuals.begin(), residuals.end(),
             [](const Residual& a, const Residual& b) { return a.distance_px < b.distance_px; });
   double num_outer = 0;

@@ -57,6 +57,14 @@ TEST(CalibrationCheckTest, AFocalLengthThatIsOffByATenthIsImplausible) {
   }
 }
 
+TEST(CalibrationCheckTest, TwoPartsThatAgreeAreEnough) {
+  CalibrationCheckOptions options;
+  options.num_parts = 2;
+  const CalibrationCheck check = CheckCalibration(MakeWalkMap(1.1), options);
+  EXPECT_EQ(check.num_agreeing, 2);
+  EXPECT_TRUE(check.is_implausible);
+}
+
 TEST(CalibrationCheckTest, PartsThatDisagreeDoNotMakeTheCalibrationImplausible) {
   Map map = MakeWalkMap(1.1);
   // Wrong matches: in half of the parts the landmarks of a keyframe are shifted in depth.

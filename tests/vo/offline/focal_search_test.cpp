@@ -130,6 +130,14 @@ TEST(FocalSearch, UninformativePairsDoNotHideInformativeOnes) {
   EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
 }
 
+TEST(FocalSearch, AFocalLengthOutsideTheSweepIsNotDetermined) {
+  test::Random random(1);
+  const std::vector<PixelMatches> pairs = {MatchViews({.first_from_second = TurnAndMove}, random)};
+  FocalSearchOptions options;
+  options.max_fov_deg = 50;  // That of the images is 65.
+  EXPECT_FALSE(SearchFocal(pairs, kWidth, kHeight, options).is_determined);
+}
+
 TEST(FocalSearch, ReturnsACenteredPinholeCameraAndTheSweep) {
   const FocalSearchResult result = Search({.num_pairs = 2, .first_from_second = TurnAndMove});
   EXPECT_EQ(result.camera.cx, 319.5);

@@ -51,6 +51,22 @@ TEST_F(ResidualsTest, AnEmptyMapHasNoResiduals) {
   EXPECT_FALSE(MeasureResiduals(Map(test::MakeModel())));
 }
 
+TEST_F(ResidualsTest, PartsWithoutMatchesAreNotJudged) {
+  test::Random random(1);
+  const test::PointScene scene = test::MakeBoxScene(400, 4, 12, random);
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < 4; ++i) {
+    // The camera of the last keyframe looks away from the scene.
+    const SO3 turn = SO3::Exp(Eigen::Vector3d(0, i < 3 ? 0 : 3, 0));
+    const SE3 world_from_camera(turn, Eigen::Vector3d(0.3 * i, 0, 0));
+    views.push_back(
+        test::ObserveScene(scene, test::PinholeCamera(), world_from_camera, 0.8, random));
+  }
+  const auto residuals = MeasureResiduals(test::MakeMap(scene, views));
+  ASSERT_TRUE(residuals);
+  EXPECT_GT(residuals->least_part_px, 0.7);
+}
+
 TEST_F(ResidualsTest, FewMatchesAreNeverImplausible) {
   EXPECT_FALSE(IsImplausible({99, 5, 5}));
   EXPECT_TRUE(IsImplausible({100, 2.1, 2.1}));

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
 #include "tests/vo/two_walls.h"
@@ -107,6 +108,7 @@ TEST(RefinerTest, NumberOfFramesBetweenKeyframesFollowsTheOptions) {
 }
 
 TEST(RefinerTest, MarginalizedKeyframesAreAdjustedLikeActiveOnes) {
+  CORVO_SKIP_IF_SHORT();
   const std::vector<cv::Mat> drive = test::MakeLongDrive(150);
   OdometryOptions options;
   options.calibration.enabled = false;  // Marginalized keyframes do not inform it.

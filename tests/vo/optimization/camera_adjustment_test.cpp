@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
 
@@ -82,6 +83,7 @@ CalibrationOptions LooseOptions() {
 }
 
 TEST(CameraAdjustmentTest, ATurningCameraDeterminesItsDistortionWithConsistentCovariance) {
+  CORVO_SKIP_IF_SHORT();
   const CalibrationOptions options = LooseOptions();
   test::Random random(1);
   constexpr int kRuns = 20;

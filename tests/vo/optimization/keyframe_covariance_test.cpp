@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "tests/vo/optimization/observed_bundle.h"
 #include "vo/optimization/bundle_adjuster.h"
@@ -51,6 +52,7 @@ Eigen::VectorXd ErrorsInSigmas(int num_fixed, int num_runs) {
 }
 
 TEST(KeyframeCovarianceTest, MatchesTheScatterOfAdjustedPoses) {
+  CORVO_SKIP_IF_SHORT();
   const Eigen::VectorXd errors = ErrorsInSigmas(2, 100);
   ASSERT_EQ(errors.size(), 6 * (kNumViews - 2));
   EXPECT_GT(errors.minCoeff(), 0.75);
@@ -58,6 +60,7 @@ TEST(KeyframeCovarianceTest, MatchesTheScatterOfAdjustedPoses) {
 }
 
 TEST(KeyframeCovarianceTest, WithoutFixedViewsIsRelativeToTheOldestAndTheFarthest) {
+  CORVO_SKIP_IF_SHORT();
   const Eigen::VectorXd errors = ErrorsInSigmas(0, 100);
   ASSERT_EQ(errors.size(), 6 * (kNumViews - 1));
   EXPECT_GT(errors.minCoeff(), 0.75);
