@@ -375,6 +375,13 @@ TEST(OdometryTest, OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory)
   for (const LandmarkId id : finished) EXPECT_EQ(newest.map().FindLandmark(id), nullptr);
 }
 
+TEST(OdometryTest, MemoryUseIncludesTheFramesThatWaitForInitialization) {
+  Odometry odometry(test::PinholeCamera());
+  odometry.Process(MakeDrive(1, 9)[0], kFrameTime);
+  EXPECT_GT(odometry.memory_use().working_set_bytes,
+            odometry.map().working_set_bytes() + 500 * sizeof(orb::Descriptor));
+}
+
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {
   const std::vector<cv::Mat> drive = MakeDrive(3, 9);
   Odometry odometry(test::PinholeCamera());
