@@ -45,6 +45,7 @@ TEST_F(Calibrate, FindsACameraFromItsImagesAlone) {
 }
 
 TEST_F(Calibrate, FindsTheFocalLengthOfKittiFromATurn) {
+  CORVO_SKIP_IF_SHORT();
   CORVO_REQUIRE_DATA("kitti/sequences/05");
   const CommandResult result =
       RunCorvo({"calibrate", DataPath("kitti/sequences/05"), "-o", camera_, "--model", "radtan"});
