@@ -63,6 +63,17 @@ INSTANTIATE_TEST_SUITE_P(Directions, TwoViewMotionTest,
                                            Eigen::Vector3d(0, 0, 1.2),
                                            Eigen::Vector3d(0.4, -0.2, -0.5)));
 
+TEST(TwoViewTest, PureRotationIsReportedFromItsLeastNumberOfMatchesOn) {
+  test::Random random(2);
+  const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);
+  const SE3 truth(SO3::Exp({0.02, 0.15, -0.03}), Eigen::Vector3d::Zero());
+  std::vector<RayMatch> matches = MatchViews(scene, truth, 0.5, 0, random);
+  matches.resize(InitializerOptions().min_rotation_matches);
+  EXPECT_EQ(EstimateTwoViewMotion(matches, InitializerOptions()).reason, Reason::kRotationOnly);
+  matches.pop_back();
+  EXPECT_NE(EstimateTwoViewMotion(matches, InitializerOptions()).reason, Reason::kRotationOnly);
+}
+
 TEST(TwoViewTest, PureRotationIsReported) {
   test::Random random(2);
   const test::PointScene scene = test::MakeBoxScene(400, 3, 15, random);

@@ -93,6 +93,17 @@ TEST_P(RepeatDetectorTest, SlowForwardMotionIsMotion) {
   EXPECT_FALSE(Repeats(image_, Zoom(image_, 1 + 1.0 / image_.cols)));
 }
 
+/// Cells move by less than the noise of a single cell; only their motion together tells.
+TEST(RepeatDetectorOfASquareImageTest, AFaintZoomOrTurnIsMotion) {
+  const cv::Mat image = MakeTexture(480, 480);
+  EXPECT_FALSE(Repeats(image, Zoom(image, 1 + 0.5 / image.cols)));
+  cv::Mat turned;
+  const double degrees = 0.5 / image.cols * 180 / CV_PI;
+  cv::warpAffine(image, turned, cv::getRotationMatrix2D({240, 240}, degrees, 1), image.size(),
+                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
+  EXPECT_FALSE(Repeats(image, turned));
+}
+
 TEST_P(RepeatDetectorTest, SlowMotionAddsUp) {
   RepeatDetector detector;
   int num_distinct = 0;
