@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <vector>
 
+#include "tests/vo/two_walls.h"
 #include "vo/math/median.h"
 
 namespace corvo {
@@ -17,11 +17,7 @@ constexpr int kNumImages = 10;
 /// Returns the pairs among images of 640x480 px of a texture that moves by `step_px` from image to
 /// image.
 std::vector<PixelMatches> PairsOfMovingTexture(int step_px) {
-  cv::RNG random(7);
-  cv::Mat texture(480, 640 + kNumImages * step_px, CV_8UC1);
-  random.fill(texture, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(texture, texture, cv::Size(), 2);
-  cv::normalize(texture, texture, 30, 220, cv::NORM_MINMAX);
+  const cv::Mat texture = test::MakeTexture(640 + kNumImages * step_px, 480, 7);
   ImagePairOptions options;
   options.max_pairs = 2;
   ImagePairs pairs(kNumImages, options);

@@ -3,29 +3,17 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include <cmath>
 #include <vector>
+
+#include "tests/vo/tracking/moved_texture.h"
 
 namespace corvo {
 namespace {
 
-/// Random texture of 320x245 px; cells at the bottom have half the height.
-cv::Mat MakeTexture() {
-  cv::RNG random(7);
-  cv::Mat noise(245, 320, CV_8UC1);
-  random.fill(noise, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(noise, noise, cv::Size(), 3);
-  cv::normalize(noise, noise, 30, 220, cv::NORM_MINMAX);
-  return noise;
-}
-
-cv::Mat Shift(const cv::Mat& image, double dx, double dy) {
-  cv::Mat shifted;
-  cv::warpAffine(image, shifted, cv::Mat(cv::Matx23d(1, 0, dx, 0, 1, dy)), image.size(),
-                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
-  return shifted;
-}
+/// Cells at the bottom have half the height.
+cv::Mat MakeTexture() { return test::MakeSmoothTexture(320, 245); }
 
 class ShiftTest : public testing::TestWithParam<cv::Point2d> {};
 
@@ -34,7 +22,7 @@ TEST_P(ShiftTest, IsMeasuredInTexturedCellsAndIsNoChange) {
   const cv::Mat image = MakeTexture();
   CellDisplacement displacement{ReducedImage(image)};
   const std::vector<CellMotion> motion =
-      displacement.Measure(ReducedImage(Shift(image, shift.x, shift.y)));
+      displacement.Measure(ReducedImage(test::Shift(image, shift.x, shift.y)));
   ASSERT_EQ(motion.size(), 32u * 25u);
   int num_textured = 0, num_right = 0;
   for (const CellMotion& cell : motion) {

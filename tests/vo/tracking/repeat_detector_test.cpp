@@ -9,33 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/vo/tracking/moved_texture.h"
+
 namespace corvo {
 namespace {
 
-/// Random texture with detail down to a few pixels.
-cv::Mat MakeTexture(int width, int height) {
-  cv::RNG random(7);
-  cv::Mat noise(height, width, CV_8UC1);
-  random.fill(noise, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(noise, noise, cv::Size(), 3);
-  cv::normalize(noise, noise, 30, 220, cv::NORM_MINMAX);
-  return noise;
-}
+using test::MakeSmoothTexture;
+using test::Shift;
 
-cv::Mat Shift(const cv::Mat& image, double dx, double dy) {
-  cv::Mat shifted;
-  cv::warpAffine(image, shifted, cv::Mat(cv::Matx23d(1, 0, dx, 0, 1, dy)), image.size(),
-                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
-  return shifted;
-}
-
-cv::Mat Zoom(const cv::Mat& image, double factor) {
-  cv::Mat zoomed;
-  const cv::Point2f center(image.cols / 2.f, image.rows / 2.f);
-  cv::warpAffine(image, zoomed, cv::getRotationMatrix2D(center, 0, factor), image.size(),
-                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
-  return zoomed;
-}
+cv::Mat Zoom(const cv::Mat& image, double factor) { return test::TurnAndZoom(image, 0, factor); }
 
 cv::Mat AddNoise(const cv::Mat& image, double sigma) {
   cv::RNG random(8);
@@ -72,7 +54,7 @@ bool Repeats(const cv::Mat& first, const cv::Mat& second) {
 
 class RepeatDetectorTest : public testing::TestWithParam<cv::Size> {
  protected:
-  cv::Mat image_ = MakeTexture(GetParam().width, GetParam().height);
+  cv::Mat image_ = MakeSmoothTexture(GetParam().width, GetParam().height);
 };
 
 TEST_P(RepeatDetectorTest, EqualImagesRepeat) { EXPECT_TRUE(Repeats(image_, image_.clone())); }
@@ -95,13 +77,10 @@ TEST_P(RepeatDetectorTest, SlowForwardMotionIsMotion) {
 
 /// Cells move by less than the noise of a single cell; only their motion together tells.
 TEST(RepeatDetectorOfASquareImageTest, AFaintZoomOrTurnIsMotion) {
-  const cv::Mat image = MakeTexture(480, 480);
+  const cv::Mat image = MakeSmoothTexture(480, 480);
   EXPECT_FALSE(Repeats(image, Zoom(image, 1 + 0.5 / image.cols)));
-  cv::Mat turned;
   const double degrees = 0.5 / image.cols * 180 / CV_PI;
-  cv::warpAffine(image, turned, cv::getRotationMatrix2D({240, 240}, degrees, 1), image.size(),
-                 cv::INTER_CUBIC, cv::BORDER_REFLECT);
-  EXPECT_FALSE(Repeats(image, turned));
+  EXPECT_FALSE(Repeats(image, test::TurnAndZoom(image, degrees, 1)));
 }
 
 TEST_P(RepeatDetectorTest, SlowMotionAddsUp) {
