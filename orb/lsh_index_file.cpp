@@ -128,7 +128,8 @@ void LshIndex::Save(const fs::path& file) const {
 LshIndex LshIndex::Load(const fs::path& file) {
   const std::string name = file.string();
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file)) throw Error(name + ": cannot be read");
+  std::error_code ignored;
+  if (!stream || fs::is_directory(file, ignored)) throw Error(name + ": cannot be read");
   Head head;
   Read(stream, &head, sizeof(head), name);
   CheckHead(head, name);

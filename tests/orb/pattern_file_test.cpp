@@ -128,5 +128,11 @@ TEST_F(PatternFileTest, PatternsAreLoadedByNameOrFile) {
   EXPECT_THAT([] { LoadPattern(""); }, ThrowsError("\"\"", "allowed is learned, brief"));
 }
 
+TEST_F(PatternFileTest, ANameThatNoFileCanHaveIsAnError) {
+  const std::string too_long(300, 'a');
+  EXPECT_THAT([&] { LoadPattern(too_long); }, ThrowsError(too_long, "allowed is learned, brief"));
+  EXPECT_THAT([&] { ReadPattern(too_long); }, ThrowsError(too_long, "cannot be read"));
+}
+
 }  // namespace
 }  // namespace corvo::orb
