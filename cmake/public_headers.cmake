@@ -46,12 +46,15 @@ set(corvo_public_headers
   vo/map/segment_join.h
   vo/odometry.h
   vo/offline/calibration_check.h
+  vo/offline/camera_path.h
   vo/offline/camera_selection.h
   vo/offline/focal_search.h
+  vo/offline/ground_height.h
   vo/offline/image_pairs.h
   vo/offline/image_stream.h
   vo/offline/map_camera.h
   vo/offline/match_residuals.h
+  vo/offline/metric_scale.h
   vo/offline/observation_log.h
   vo/offline/parameter_check.h
   vo/offline/refiner.h

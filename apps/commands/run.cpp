@@ -19,6 +19,7 @@
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
 #include "apps/run/image_processing.h"
+#include "apps/run/metric_result.h"
 #include "apps/run/number_option.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_plot.h"
@@ -43,6 +44,7 @@ constexpr const char* kFooter = R"(Examples:
   corvo run sequences/03 --refine -o result           # with global refinement at the end
   corvo run sequences/03 --draw film.mp4 -o result    # with a film of the tracked features
   corvo run sequences/03 --plot figure.pdf -o result  # with a vector graphic for a paper
+  corvo run sequences/03 --camera-height 1.65 -o result  # in meters
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 invalid usage, configuration or input, 2 never initialized, 3 lost part-way,
@@ -95,6 +97,7 @@ int Report(const RunArguments& arguments, const RunSummary& summary,
 
 int Run(const RunArguments& arguments, const Interruption& interruption) {
   CheckPlot(arguments);
+  if (!arguments.known_distance.empty()) ParseKnownDistance(arguments.known_distance);
   OutputFolder output(arguments.output, PlanOfRun(arguments.force));
   PlotFile plot(arguments.plot, arguments.force);
   TrackDrawings drawings(arguments.drawings, arguments.force);
@@ -133,11 +136,24 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("--plot", arguments.plot,
                      "file for a plot of the trajectory like trajectory.png, as .pdf, .svg or "
                      ".png");
-  command
+  command.add_flag("--json", arguments.json, "print summary.json instead of a text");
+}
+
+void AddScaleOptions(CLI::App& command, RunArguments& arguments) {
+  CLI::Option_group& group = *command.add_option_group("Scale");
+  group.require_option(0, 1);
+  group
       .add_option("--meters-per-unit", arguments.meters_per_unit,
                   "scale factor of the written trajectories and map (default: 1)")
       ->check(NumberRange(1e-12, 1e12));
-  command.add_flag("--json", arguments.json, "print summary.json instead of a text");
+  group
+      .add_option("--camera-height", arguments.camera_height_m,
+                  "height of the camera above the ground that it moves over, m: lengths are in "
+                  "meters, and the scale is held along the path")
+      ->check(NumberRange(1e-3, 1e6));
+  group.add_option("--known-distance", arguments.known_distance,
+                   "FRAME,FRAME,METERS: distance between the positions of the camera at two "
+                   "frames; lengths of their segment are in meters");
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 
@@ -158,6 +174,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   AddInputOptions(*command, *arguments);
   AddOutputOptions(*command, *arguments);
+  AddScaleOptions(*command, *arguments);
   AddTruthOptions(*command, *arguments);
   command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   command->add_flag("--refine", arguments->refine,

@@ -7,10 +7,20 @@ namespace corvo {
 namespace {
 
 std::string ScaleText(const SegmentScale& scale) {
-  if (!scale.factor) return "scale arbitrary";
+  const double percent = 100 * (scale.factor.value_or(1) - 1);
+  switch (scale.source) {
+    case ScaleSource::kCameraHeight:
+      return fmt::format("in meters, scale from the height of the camera, ± {:.1f}%", percent);
+    case ScaleSource::kKnownDistance:
+      return "in meters, scale from the known distance";
+    case ScaleSource::kArbitrary:
+      return "scale arbitrary";
+    case ScaleSource::kMedianSpeed:
+      break;
+  }
   return fmt::format(
       "scale guessed from the median speed before the loss, within a factor of {:.2g}",
-      *scale.factor);
+      scale.factor.value_or(1));
 }
 
 nlohmann::ordered_json ScaleJson(const SegmentScale& scale) {

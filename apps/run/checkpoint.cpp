@@ -12,6 +12,7 @@
 #include "apps/output/segment_report.h"
 #include "apps/run/outcome.h"
 #include "apps/run/trajectory_file.h"
+#include "vo/offline/metric_scale.h"
 
 namespace corvo {
 namespace {
@@ -35,6 +36,14 @@ nlohmann::ordered_json Describe(const RunArguments& arguments, const RunInputs& 
     json["reasons"][std::string(ToString(reason))] = count;
   }
   return json;
+}
+
+/// Returns the trajectory in meters if --meters-per-unit says how long its unit is. Any other scale
+/// is known at the end only.
+Trajectory InGivenUnit(const RunArguments& arguments, Trajectory trajectory) {
+  if (!arguments.meters_per_unit) return trajectory;
+  MetricScale scale = ConstantScale(trajectory, *arguments.meters_per_unit);
+  return MetricTransform(std::move(trajectory), std::move(scale)).trajectory();
 }
 
 }  // namespace
@@ -61,8 +70,7 @@ void Checkpoint::Update(const Odometry& odometry) {
 }
 
 void Checkpoint::Save(const Odometry& odometry, const std::string& why) const {
-  const Trajectory trajectory =
-      Scale(arguments_.meters_per_unit.value_or(1), odometry.GetTrajectory());
+  const Trajectory trajectory = InGivenUnit(arguments_, odometry.GetTrajectory());
   WriteTrajectory(output_.StageCheckpoint("trajectory.tum"), trajectory);
   WriteFile(output_.StageCheckpoint("frames.csv"), FrameTable(trajectory));
   WriteFile(output_.StageCheckpoint("summary.json"),

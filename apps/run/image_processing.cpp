@@ -7,6 +7,7 @@
 
 #include "apps/output/error_text.h"
 #include "apps/run/image_names.h"
+#include "apps/run/metric_result.h"
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
 #include "apps/run/stopwatch.h"
@@ -130,7 +131,7 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
   if (arguments.refine && record.end.is_complete()) {
     RefineRecord(interruption, inputs.source.is_live(), record);
   }
-  record.trajectory = Scale(arguments.meters_per_unit.value_or(1), std::move(record.trajectory));
+  BringToMeters(arguments, record);
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
 }

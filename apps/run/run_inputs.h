@@ -32,6 +32,8 @@ struct RunArguments {
   std::filesystem::path drawings;         ///< Folder or film for drawings of the tracked features.
   std::filesystem::path plot;             ///< File for a plot beside that of the results.
   std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
+  std::optional<double> camera_height_m;  ///< Height of the camera above the ground.
+  std::string known_distance;             ///< See ParseKnownDistance(); empty if not given.
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty for the original size.
   int threads = 1;
@@ -40,6 +42,9 @@ struct RunArguments {
   bool json = false;    ///< Print summary.json instead of a text.
   bool refine = false;  ///< Refine the whole sequence after the last frame.
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
+
+  /// Returns whether the results are to be in meters.
+  bool IsMetric() const { return meters_per_unit || camera_height_m || !known_distance.empty(); }
 };
 
 /// The inputs of a run.

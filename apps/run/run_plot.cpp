@@ -83,7 +83,7 @@ TrajectoryPlot MakeRunPlot(const RunArguments& arguments, const RunInputs& input
   TrajectoryPlot plot;
   plot.title = Title(arguments, inputs, summary);
   plot.estimates = Estimates(record.trajectory);
-  if (arguments.meters_per_unit || summary.evaluation) plot.unit = std::string("m");
+  if (record.metric || summary.evaluation) plot.unit = std::string("m");
   if (!summary.evaluation) return plot;
   plot.ate_rmse = summary.evaluation->absolute.rmse;
   for (PlottedEstimate& estimate : plot.estimates) {

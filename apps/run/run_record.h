@@ -12,6 +12,7 @@
 #include "apps/output/landmark_colors.h"
 #include "apps/output/landmark_spool.h"
 #include "vo/odometry.h"
+#include "vo/offline/metric_scale.h"
 #include "vo/offline/observation_log.h"
 #include "vo/offline/refiner.h"
 
@@ -33,8 +34,10 @@ struct RunRecord {
   /// Landmarks that were removed from the odometry's map.
   std::unique_ptr<LandmarkSpool> finished = std::make_unique<LandmarkSpool>();
   ObservationLog observations;
-  std::optional<Refinement> refinement;  ///< Set only if refinement is requested.
-  Trajectory trajectory;                 ///< Final estimate, scaled by --meters-per-unit.
+  std::optional<Refinement> refinement;   ///< Set only if refinement is requested.
+  Trajectory trajectory;                  ///< Final estimate, in meters if `metric` is set.
+  std::optional<MetricTransform> metric;  ///< Set if the scale was given or determined.
+  std::string why_not_metric;  ///< What is not in meters, and why; empty if nothing or not asked.
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
   LandmarkColors colors;

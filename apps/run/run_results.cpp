@@ -12,6 +12,7 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/kitti_trajectory.h"
+#include "apps/run/metric_result.h"
 #include "apps/run/run_plot.h"
 #include "apps/run/trajectory_file.h"
 #include "orb/error.h"
@@ -57,22 +58,25 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
   }
 }
 
-void WriteTables(const RunArguments& arguments, const RunRecord& record,
-                 const OutputFolder& output) {
-  std::vector<MapPoint> points = record.is_refined()
-                                     ? CollectPoints(*record.refinement)
-                                     : CollectPoints(*record.finished, record.odometry.map());
-  for (MapPoint& point : points) point.in_world *= arguments.meters_per_unit.value_or(1);
+/// Returns the meters per unit by the index of the frame.
+std::vector<double> MetersPerUnit(const RunRecord& record) {
+  if (record.metric) return record.metric->MetersPerUnit();
+  return std::vector<double>(record.trajectory.frames.size(), 1);
+}
+
+void WriteTables(const RunRecord& record, const OutputFolder& output) {
+  std::vector<MapPoint> points = PointsOf(record);
   WriteObservations(record.odometry, record.observations, output.Stage("observations.npy"), points);
   for (MapPoint& point : points) point.rgb = record.colors.Of(point.id);
   output.Write("map.ply", ToPly(points));
   output.Write("frames.csv", FrameTable(record.trajectory, record.images));
   output.Write("relative_poses.csv", RelativePoseTable(record.trajectory));
-  const PoseGraph graph = WithPosesOf(record.trajectory, arguments.meters_per_unit.value_or(1),
-                                      record.odometry.GetPoseGraph());
+  const PoseGraph graph =
+      WithPosesOf(record.trajectory, MetersPerUnit(record), record.odometry.GetPoseGraph());
   output.Write("pose_graph.g2o", ToG2o(graph, G2oForm::kSe3));
   output.Write("pose_graph_sim3.g2o", ToG2o(graph, G2oForm::kSim3));
   output.Write("timing.csv", TimingTable(record.timings));
+  if (record.metric) output.Write("metric_scale.csv", MetricScaleTable(record.metric->scale()));
 }
 
 /// Returns the estimated camera, without standard deviations if the images contradict the prior.
@@ -107,7 +111,8 @@ OutputPlan PlanOfRun(bool replaces_foreign) {
                 "summary.json",
                 "relative_poses.csv",
                 "pose_graph.g2o",
-                "pose_graph_sim3.g2o"};
+                "pose_graph_sim3.g2o",
+                "metric_scale.csv"};
   plan.numbered_prefix = kSegmentPrefix;
   plan.numbered_suffix = kSegmentSuffix;
   plan.checkpoint = kCheckpointFolder;
@@ -119,7 +124,7 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
                   const RunSummary& summary, const OutputFolder& output) {
   WriteTrajectories(record.trajectory, output);
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
-  WriteTables(arguments, record, output);
+  WriteTables(record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);

@@ -59,10 +59,14 @@ std::string OverlayText(const RunSummary& summary) {
                      100 * summary.masked_share);
 }
 
-/// Returns one line for each segment if there are several.
+/// Returns one line for each segment if there are several or their scale was measured.
 std::string SegmentsText(const RunSummary& summary) {
   std::string text;
-  if (summary.segments.size() < 2) return text;
+  const bool is_measured = std::ranges::any_of(summary.segments, [](const Segment& segment) {
+    return segment.scale.source == ScaleSource::kCameraHeight ||
+           segment.scale.source == ScaleSource::kKnownDistance;
+  });
+  if (summary.segments.size() < 2 && !is_measured) return text;
   for (const Segment& segment : summary.segments) text += ToText(segment) + "\n";
   return text;
 }
@@ -97,7 +101,7 @@ void Warn(const RunRecord& record, RunSummary& summary) {
         BlurWarning(summary.num_blurred, summary.num_frames), ResidualWarning(summary.residuals),
         FocalLengthWarning(summary.check, map.camera().fx()),
         DisagreementWarning(summary.calibration), ContradictionWarning(summary.calibration),
-        MisfitWarning(summary.misfitting)}) {
+        MisfitWarning(summary.misfitting), record.why_not_metric}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
     summary.warnings.push_back(warning);
@@ -282,6 +286,8 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
   json["trajectory_kitti"] =
       summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
   if (arguments.meters_per_unit) json["meters_per_unit"] = *arguments.meters_per_unit;
+  if (arguments.camera_height_m) json["camera_height"] = *arguments.camera_height_m;
+  if (!arguments.known_distance.empty()) json["known_distance"] = arguments.known_distance;
   if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
   if (summary.rotation_deg) json["rotation_over_1s_deg"] = ToJson(*summary.rotation_deg);

@@ -30,6 +30,8 @@ std::vector<NumericOption> NumericOptions() {
           {run, "--focal", ""},
           {run, "--max-dt", ""},
           {run, "--meters-per-unit", ""},
+          {run, "--camera-height", ""},
+          {run, "--known-distance", ",9,5"},
           {eval, "--max-dt", ""},
           {eval, "--rpe-seconds", ""},
           {eval, "--rpe-meters", ""},

@@ -234,6 +234,75 @@ TEST_F(Pipeline, WritesMetersAndDrawsTracks) {
       << "and the manifest";
 }
 
+/// Evaluates a result without a similarity: lengths must be in meters. Returns the ATE.
+double MetricError(const fs::path& result, const fs::path& truth) {
+  const CommandResult eval = RunCorvo({"eval", result, truth, "--align", "se3", "--json"});
+  EXPECT_EQ(eval.exit_code, kDone) << eval.err;
+  return nlohmann::json::parse(eval.out)["ate"]["rmse"];
+}
+
+TEST_F(Pipeline, AKnownCameraHeightMakesLengthsMeters) {
+  const fs::path street = *folder_ / "wide_street", result = *folder_ / "height";
+  ASSERT_EQ(
+      RunCorvo({"synth", "street", "-o", street, "--frames", "60", "--width", "930"}).exit_code,
+      kDone);
+  const CommandResult run = RunCorvo(
+      {"run", street, "-o", result, "--camera", street / "camera.yaml", "--camera-height", "1.65"});
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("in meters, scale from the height of the camera, ± "));
+  EXPECT_LT(MetricError(result, street / "groundtruth.txt"), 0.02 * 47) << "of a path of 47 m";
+  const auto summary = nlohmann::json::parse(ReadText(result / "summary.json"));
+  EXPECT_EQ(summary["camera_height"], 1.65);
+  EXPECT_EQ(summary["segments"][0]["scale"]["from"], "camera_height");
+  EXPECT_EQ(LinesOf(result / "metric_scale.csv").size(), 61);
+}
+
+TEST_F(Pipeline, WithoutAVisibleGroundLengthsStayInUnits) {
+  const fs::path result = *folder_ / "no_ground";  // These images are too small for it.
+  const CommandResult run = RunOn(Street(), result, {"--camera-height", "1.65"});
+  EXPECT_EQ(run.exit_code, kDone);
+  EXPECT_THAT(run.err, testing::HasSubstr("the lengths of segment 0 are not in meters: no ground"));
+  EXPECT_EQ(ReadText(result / "trajectory.tum"), ReadText(Result() / "trajectory.tum"));
+}
+
+TEST_F(Pipeline, AKnownCameraHeightHoldsTheScaleOfARealDrive) {
+  CORVO_REQUIRE_DATA("kitti/sequences/03");
+  CORVO_SKIP_IF_SHORT();
+  const fs::path result = *folder_ / "kitti_03";
+  ASSERT_EQ(
+      RunCorvo({"run", DataPath("kitti/sequences/03"), "-o", result, "--camera-height", "1.65"})
+          .exit_code,
+      kDone);
+  const CommandResult eval = RunCorvo({"eval", result, "--align", "se3", "--json"});
+  const auto errors = nlohmann::json::parse(eval.out);
+  EXPECT_LT(errors["kitti"]["t_rel_percent"], 2);
+}
+
+TEST_F(Pipeline, AKnownDistanceMakesLengthsMeters) {
+  const PoseSequence truth = ReadTum(Truth());
+  const double meters =
+      (truth[30].world_from_camera.translation() - truth[5].world_from_camera.translation()).norm();
+  const fs::path result = *folder_ / "distance";
+  ASSERT_EQ(RunOn(Street(), result, {"--known-distance", fmt::format("5,30,{}", meters)}).exit_code,
+            kDone);
+  EXPECT_LT(MetricError(result, Truth()), 0.02 * 30);
+}
+
+TEST_F(Pipeline, ADistanceThatDeterminesNoScaleIsAWarning) {
+  const fs::path result = *folder_ / "no_distance";
+  const CommandResult run = RunOn(Street(), result, {"--known-distance", "5,300,2"});
+  EXPECT_EQ(run.exit_code, kDone);
+  EXPECT_THAT(run.err, testing::HasSubstr("known distance: frame 300 is not one of 0 to 39"));
+  EXPECT_EQ(ReadText(result / "trajectory.tum"), ReadText(Result() / "trajectory.tum"));
+}
+
+TEST_F(Pipeline, OneScaleOnlyCanBeGiven) {
+  const CommandResult run = RunOn(Street(), *folder_ / "two_scales",
+                                  {"--known-distance", "5,30,2", "--camera-height", "1"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_FALSE(fs::exists(*folder_ / "two_scales"));
+}
+
 TEST_F(Pipeline, WritesTheEstimatedCameraWithStandardDeviations) {
   const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
   const CameraFile found = ReadCameraFile(Result() / "camera_estimated.yaml");

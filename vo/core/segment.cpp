@@ -9,6 +9,10 @@ std::string_view ToString(ScaleSource source) {
       return "arbitrary";
     case ScaleSource::kMedianSpeed:
       return "median_speed";
+    case ScaleSource::kCameraHeight:
+      return "camera_height";
+    case ScaleSource::kKnownDistance:
+      return "known_distance";
   }
   return "unknown";
 }

@@ -11,19 +11,22 @@ namespace corvo {
 
 /// The origin of the scale of a segment.
 enum class ScaleSource : std::uint8_t {
-  kArbitrary,    ///< Unrelated to the scale of any other segment.
-  kMedianSpeed,  ///< The camera was assumed to move on at its median speed before the loss.
+  kArbitrary,      ///< Unrelated to the scale of any other segment.
+  kMedianSpeed,    ///< The camera was assumed to move on at its median speed before the loss.
+  kCameraHeight,   ///< In meters: the height of the camera above the ground is known.
+  kKnownDistance,  ///< In meters: the distance between two positions of the camera is known.
 };
 
-/// Returns "arbitrary" or "median_speed".
+/// Returns "arbitrary", "median_speed", "camera_height" or "known_distance".
 std::string_view ToString(ScaleSource source);
 
-/// The scale of a segment relative to that of the segment before.
+/// The scale of a segment relative to that of the segment before or, if it is known, to the meter.
 struct SegmentScale {
   ScaleSource source = ScaleSource::kArbitrary;
   /// The standard deviation of the scale as a factor, at least 1: the true ratio of the two scales
   /// is within this factor of the guess with a probability of about 68%. Unset if the scale is
-  /// arbitrary. For segments further apart, the logarithms of the factors add up in squares.
+  /// arbitrary or its error is not known. For segments further apart, the logarithms of the factors
+  /// add up in squares.
   std::optional<double> factor = std::nullopt;
 
   bool operator==(const SegmentScale&) const = default;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <map>
 
 #include "orb/error.h"
@@ -73,20 +72,6 @@ void UpdateRelativePoses(Trajectory& trajectory) {
     frame.relative_pose->reference_from_camera =
         reference.world_from_camera->Inverse() * *frame.world_from_camera;
   }
-}
-
-Trajectory Scale(double scale, Trajectory trajectory) {
-  CheckRange("scale", scale, std::numeric_limits<double>::min(),
-             std::numeric_limits<double>::max());
-  for (FrameResult& frame : trajectory.frames) {
-    if (!frame.world_from_camera) continue;
-    const SE3& pose = *frame.world_from_camera;
-    frame.world_from_camera = SE3(pose.rotation(), scale * pose.translation());
-    if (!frame.relative_pose) continue;
-    frame.relative_pose->covariance = ScaleCovariance(scale, frame.relative_pose->covariance);
-  }
-  UpdateRelativePoses(trajectory);
-  return trajectory;
 }
 
 }  // namespace corvo

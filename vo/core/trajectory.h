@@ -43,8 +43,4 @@ struct Trajectory {
 /// relative pose whose reference is no longer a posed frame of the same segment is removed.
 void UpdateRelativePoses(Trajectory& trajectory);
 
-/// Returns the trajectory with all translations multiplied by `scale`, and their covariances
-/// accordingly. Throws corvo::Error unless the scale is finite and above 0.
-Trajectory Scale(double scale, Trajectory trajectory);
-
 }  // namespace corvo

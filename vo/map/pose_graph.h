@@ -44,9 +44,10 @@ struct PoseGraph {
   std::vector<PoseGraphEdge> edges;       ///< In ascending order of `second`, then `first`.
 };
 
-/// Returns a graph with the poses of a trajectory of the same sequence, such as a refined one, and
-/// the covariances in a unit of length that is 1 / `scale` of its own. Keyframes without a pose of
-/// their segment there are left out.
-PoseGraph WithPosesOf(const Trajectory& trajectory, double scale, PoseGraph graph);
+/// Returns a graph with the poses of a trajectory of the same sequence, such as a refined one,
+/// whose unit of length at frame i is 1 / `scales[i]` of that of the graph. Keyframes without a
+/// pose of their segment there are left out.
+PoseGraph WithPosesOf(const Trajectory& trajectory, const std::vector<double>& scales,
+                      PoseGraph graph);
 
 }  // namespace corvo

@@ -54,6 +54,8 @@ TEST(TrajectoryTest, SegmentsAreThoseOfPosedFramesWithTheirScales) {
 TEST(SegmentTest, SourcesOfTheScaleHaveNames) {
   EXPECT_EQ(ToString(ScaleSource::kArbitrary), "arbitrary");
   EXPECT_EQ(ToString(ScaleSource::kMedianSpeed), "median_speed");
+  EXPECT_EQ(ToString(ScaleSource::kCameraHeight), "camera_height");
+  EXPECT_EQ(ToString(ScaleSource::kKnownDistance), "known_distance");
 }
 
 TEST(FrameResultTest, StatesAndReasonsHaveUniqueNames) {
@@ -66,17 +68,6 @@ TEST(FrameResultTest, StatesAndReasonsHaveUniqueNames) {
                 ::testing::MatchesRegex("[a-z]+(_[a-z]+)*"));
   }
   EXPECT_EQ(names.count("unknown"), 0);
-}
-
-TEST(TrajectoryTest, ScaleMultipliesLengthsOnly) {
-  Trajectory trajectory;
-  trajectory.frames.resize(2);
-  const SE3 pose(SO3::Exp(Eigen::Vector3d(0.1, 0.2, 0.3)), Eigen::Vector3d(1, -2, 3));
-  trajectory.frames[1].world_from_camera = pose;
-  const Trajectory scaled = Scale(2.5, trajectory);
-  EXPECT_FALSE(scaled.frames[0].world_from_camera);
-  EXPECT_EQ(*scaled.frames[1].world_from_camera,
-            SE3(pose.rotation(), Eigen::Vector3d(2.5, -5, 7.5)));
 }
 
 /// Returns a keyframe at the origin and a frame 2 units ahead of it.
@@ -96,15 +87,6 @@ TEST(TrajectoryTest, RelativePosesFollowThoseInTheWorld) {
   trajectory.frames[0].segment = 1;
   UpdateRelativePoses(trajectory);
   EXPECT_FALSE(trajectory.frames[1].relative_pose);
-}
-
-TEST(TrajectoryTest, ScaleMultipliesTheCovarianceOfLengths) {
-  const Trajectory scaled = Scale(3, TwoFrames());
-  const RelativePose& relative = *scaled.frames[1].relative_pose;
-  EXPECT_EQ(relative.reference_from_camera, SE3(SO3(), {0, 0, 6}));
-  Eigen::Matrix<double, 6, 1> variances;
-  variances << 9, 9, 9, 1, 1, 1;
-  EXPECT_EQ(relative.covariance, SE3::Matrix6(variances.asDiagonal()));
 }
 
 TEST(TrajectoryTest, RotationsIncludeFramesWithoutAPose) {

@@ -32,8 +32,10 @@ Trajectory FiveFrames() {
   return trajectory;
 }
 
+const std::vector<double> kUnscaled(5, 1);
+
 TEST(PoseGraphTest, TakesThePosesOfATrajectory) {
-  const PoseGraph graph = WithPosesOf(FiveFrames(), 4, ThreeKeyframes());
+  const PoseGraph graph = WithPosesOf(FiveFrames(), {9, 9, 9, 9, 4}, ThreeKeyframes());
   ASSERT_EQ(graph.vertices.size(), 3);
   EXPECT_EQ(graph.vertices[2].world_from_camera, SE3(SO3(), {0, 0, 8}));
   ASSERT_EQ(graph.edges.size(), 3);
@@ -46,11 +48,11 @@ TEST(PoseGraphTest, TakesThePosesOfATrajectory) {
 TEST(PoseGraphTest, LeavesOutKeyframesWithoutAPoseOfTheirSegment) {
   Trajectory trajectory = FiveFrames();
   trajectory.frames[0].segment = 1;
-  PoseGraph graph = WithPosesOf(trajectory, 1, ThreeKeyframes());
+  PoseGraph graph = WithPosesOf(trajectory, kUnscaled, ThreeKeyframes());
   ASSERT_EQ(graph.edges.size(), 1);
   EXPECT_EQ(graph.edges[0].first, 1);
   trajectory.frames[4].world_from_camera.reset();
-  graph = WithPosesOf(trajectory, 1, ThreeKeyframes());
+  graph = WithPosesOf(trajectory, kUnscaled, ThreeKeyframes());
   EXPECT_EQ(graph.vertices.size(), 1);
   EXPECT_TRUE(graph.edges.empty());
 }
