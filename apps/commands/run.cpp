@@ -136,24 +136,30 @@ void AddOutputOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("--plot", arguments.plot,
                      "file for a plot of the trajectory like trajectory.png, as .pdf, .svg or "
                      ".png");
+  command.add_flag("--keyframe-features", arguments.keyframe_features,
+                   "write the pixels and descriptors of the keyframes, for place recognition");
   command.add_flag("--json", arguments.json, "print summary.json instead of a text");
 }
 
 void AddScaleOptions(CLI::App& command, RunArguments& arguments) {
-  CLI::Option_group& group = *command.add_option_group("Scale");
-  group.require_option(0, 1);
-  group
-      .add_option("--meters-per-unit", arguments.meters_per_unit,
-                  "scale factor of the written trajectories and map (default: 1)")
-      ->check(NumberRange(1e-12, 1e12));
-  group
-      .add_option("--camera-height", arguments.camera_height_m,
-                  "height of the camera above the ground that it moves over, m: lengths are in "
-                  "meters, and the scale is held along the path")
-      ->check(NumberRange(1e-3, 1e6));
-  group.add_option("--known-distance", arguments.known_distance,
-                   "FRAME,FRAME,METERS: distance between the positions of the camera at two "
-                   "frames; lengths of their segment are in meters");
+  CLI::Option* meters_per_unit =
+      command
+          .add_option("--meters-per-unit", arguments.meters_per_unit,
+                      "scale factor of the written trajectories and map (default: 1)")
+          ->check(NumberRange(1e-12, 1e12));
+  CLI::Option* camera_height =
+      command
+          .add_option("--camera-height", arguments.camera_height_m,
+                      "height of the camera above the ground that it moves over, m: lengths are in "
+                      "meters, and the scale is held along the path")
+          ->check(NumberRange(1e-3, 1e6))
+          ->excludes(meters_per_unit);
+  command
+      .add_option("--known-distance", arguments.known_distance,
+                  "FRAME,FRAME,METERS: distance between the positions of the camera at two frames; "
+                  "lengths of their segment are in meters")
+      ->excludes(meters_per_unit)
+      ->excludes(camera_height);
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/observation_table.h"
 
-#include <cstring>
-#include <fstream>
+#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
 
 #include "apps/output/binary_data.h"
+#include "apps/output/npy_file.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
@@ -16,36 +16,12 @@ namespace corvo {
 namespace {
 
 constexpr std::size_t kRowSize = 18;
-/// NumPy aligns the data at 64 bytes; the number of rows is written once it is known.
-constexpr std::size_t kHeaderSize = 192;
-
-std::string Header(std::size_t num_rows) {
-  std::string text = fmt::format(
-      "{{'descr': [('frame', '<u4'), ('landmark', '<u4'), ('x', '<f4'), ('y', '<f4'), "
-      "('sigma', '<f2')], 'fortran_order': False, 'shape': ({},), }}",
-      num_rows);
-  std::string header("\x93NUMPY\x01\x00", 8);
-  const auto text_size = static_cast<std::uint16_t>(kHeaderSize - header.size() - 2);
-  header.append(reinterpret_cast<const char*>(&text_size), sizeof text_size);
-  text.resize(text_size - 1, ' ');
-  return header + text + '\n';
-}
+constexpr const char* kFields =
+    "('frame', '<u4'), ('landmark', '<u4'), ('x', '<f4'), ('y', '<f4'), ('sigma', '<f2')";
 
 }  // namespace
 
-struct ObservationWriter::File {
-  std::filesystem::path path;
-  std::ofstream out;
-  std::size_t num_rows = 0;
-};
-
-ObservationWriter::ObservationWriter(const std::filesystem::path& file)
-    : file_(std::make_unique<File>(File{file, std::ofstream(file, std::ios::binary), 0})) {
-  file_->out << Header(0);
-  if (!file_->out) throw Error(fmt::format("{}: cannot be written", file.string()));
-}
-
-ObservationWriter::~ObservationWriter() = default;
+ObservationWriter::ObservationWriter(const std::filesystem::path& file) : file_(file, kFields) {}
 
 void ObservationWriter::Add(const ObservationRow& row) {
   std::string bytes;
@@ -54,26 +30,20 @@ void ObservationWriter::Add(const ObservationRow& row) {
   AppendBytes(row.x, bytes);
   AppendBytes(row.y, bytes);
   AppendBytes(Eigen::half(row.sigma_px).x, bytes);
-  file_->out << bytes;
-  ++file_->num_rows;
+  file_.Add(bytes);
 }
 
-void ObservationWriter::Finish() {
-  file_->out.seekp(0);
-  file_->out << Header(file_->num_rows);
-  file_->out.close();
-  if (!file_->out) throw Error(fmt::format("{}: cannot be written", file_->path.string()));
-}
+void ObservationWriter::Finish() { file_.Finish(); }
 
 std::vector<ObservationRow> ReadObservations(const std::filesystem::path& file) {
   const std::string bytes = ReadFileBytes(file, kMaxResultBytes);
   const std::size_t num_rows =
-      bytes.size() < kHeaderSize ? 0 : (bytes.size() - kHeaderSize) / kRowSize;
-  if (bytes.compare(0, kHeaderSize, Header(num_rows)) != 0 ||
-      bytes.size() != kHeaderSize + kRowSize * num_rows) {
+      bytes.size() < kNpyHeaderSize ? 0 : (bytes.size() - kNpyHeaderSize) / kRowSize;
+  if (bytes.compare(0, kNpyHeaderSize, NpyHeader(kFields, num_rows)) != 0 ||
+      bytes.size() != kNpyHeaderSize + kRowSize * num_rows) {
     throw Error(fmt::format("{}: is not the observations of a run, or damaged", file.string()));
   }
-  const char* next = bytes.data() + kHeaderSize;
+  const char* next = bytes.data() + kNpyHeaderSize;
   std::vector<ObservationRow> rows(num_rows);
   for (ObservationRow& row : rows) {
     row.frame = static_cast<int>(TakeBytes<std::uint32_t>(next));

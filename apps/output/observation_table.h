@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
+#include "apps/output/npy_file.h"
 #include "vo/core/conventions.h"
 
 namespace corvo {
@@ -18,23 +18,19 @@ struct ObservationRow {
   float sigma_px = 1;           ///< Standard deviation along each axis, in half precision.
 };
 
-/// Writes rows as NumPy's format (version 1.0): a structured array with the fields frame (<u4),
-/// landmark (<u4), x, y (<f4), sigma (<f2), in ascending order of frames. `numpy.load` reads it.
+/// Writes rows with the fields frame (<u4), landmark (<u4), x, y (<f4), sigma (<f2), in ascending
+/// order of frames. See NpyWriter.
 class ObservationWriter {
  public:
   /// Throws corvo::Error if the file cannot be created.
   explicit ObservationWriter(const std::filesystem::path& file);
-  ~ObservationWriter();
-  ObservationWriter(const ObservationWriter&) = delete;
-  ObservationWriter& operator=(const ObservationWriter&) = delete;
 
   void Add(const ObservationRow& row);
   /// Completes the file. Throws corvo::Error if it could not be written as a whole.
   void Finish();
 
  private:
-  struct File;
-  std::unique_ptr<File> file_;
+  NpyWriter file_;
 };
 
 /// Reads the rows of a file of ObservationWriter. Throws corvo::Error if `file` cannot be read or

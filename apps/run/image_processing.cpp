@@ -47,6 +47,7 @@ class ImageLoop {
             Checkpoint& checkpoint)
       : image_size_(inputs.camera.given.width, inputs.camera.given.height),
         names_(arguments.input, inputs.source.list()),
+        keyframe_features_(arguments.keyframe_features),
         progress_(inputs.source.expected_size().value_or(0)),
         drawings_(drawings),
         checkpoint_(checkpoint) {}
@@ -75,6 +76,7 @@ class ImageLoop {
     if (frame.is_keyframe) {
       record.colors.Add(record.odometry.last_frame(), next.color.empty() ? next.image : next.color);
     }
+    if (keyframe_features_) record.features.Update(record.odometry.map());
     Draw(next, frame, record.odometry);
     progress_.Add(frame);
     checkpoint_.Update(record.odometry);
@@ -91,6 +93,7 @@ class ImageLoop {
 
   cv::Size image_size_;
   ImageNames names_;
+  bool keyframe_features_;
   ProgressReport progress_;
   TrackDrawings& drawings_;
   Checkpoint& checkpoint_;

@@ -40,7 +40,8 @@ struct RunArguments {
   bool strict = false;  ///< Whether an image that cannot be read or has another size is an error.
   bool force = false;   ///< Whether files that are not corvo's are replaced.
   bool json = false;    ///< Print summary.json instead of a text.
-  bool refine = false;  ///< Refine the whole sequence after the last frame.
+  bool keyframe_features = false;  ///< Write the features of the keyframes.
+  bool refine = false;             ///< Refine the whole sequence after the last frame.
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
 
   /// Returns whether the results are to be in meters.

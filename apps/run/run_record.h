@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/output/frame_tables.h"
+#include "apps/output/keyframe_features.h"
 #include "apps/output/landmark_colors.h"
 #include "apps/output/landmark_spool.h"
 #include "vo/odometry.h"
@@ -41,6 +42,7 @@ struct RunRecord {
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
   LandmarkColors colors;
+  KeyframeFeatureSpool features;  ///< Of the keyframes; empty unless they are to be written.
   std::map<Reason, std::string> first_errors;  ///< The first missing image of each reason.
   double elapsed_s = 0;
   RunEnd end;

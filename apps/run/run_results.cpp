@@ -64,7 +64,8 @@ std::vector<double> MetersPerUnit(const RunRecord& record) {
   return std::vector<double>(record.trajectory.frames.size(), 1);
 }
 
-void WriteTables(const RunRecord& record, const OutputFolder& output) {
+void WriteTables(const RunArguments& arguments, const RunRecord& record,
+                 const OutputFolder& output) {
   std::vector<MapPoint> points = PointsOf(record);
   WriteObservations(record.odometry, record.observations, output.Stage("observations.npy"), points);
   for (MapPoint& point : points) point.rgb = record.colors.Of(point.id);
@@ -75,6 +76,9 @@ void WriteTables(const RunRecord& record, const OutputFolder& output) {
       WithPosesOf(record.trajectory, MetersPerUnit(record), record.odometry.GetPoseGraph());
   output.Write("pose_graph.g2o", ToG2o(graph, G2oForm::kSe3));
   output.Write("pose_graph_sim3.g2o", ToG2o(graph, G2oForm::kSim3));
+  if (arguments.keyframe_features) {
+    record.features.Write(graph, output.Stage("keyframe_features.npy"));
+  }
   output.Write("timing.csv", TimingTable(record.timings));
   if (record.metric) output.Write("metric_scale.csv", MetricScaleTable(record.metric->scale()));
 }
@@ -112,7 +116,8 @@ OutputPlan PlanOfRun(bool replaces_foreign) {
                 "relative_poses.csv",
                 "pose_graph.g2o",
                 "pose_graph_sim3.g2o",
-                "metric_scale.csv"};
+                "metric_scale.csv",
+                "keyframe_features.npy"};
   plan.numbered_prefix = kSegmentPrefix;
   plan.numbered_suffix = kSegmentSuffix;
   plan.checkpoint = kCheckpointFolder;
@@ -124,7 +129,7 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
                   const RunSummary& summary, const OutputFolder& output) {
   WriteTrajectories(record.trajectory, output);
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
-  WriteTables(record, output);
+  WriteTables(arguments, record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "apps/output/map_ply.h"
+#include "apps/output/npy_file.h"
 #include "apps/output/observation_table.h"
 #include "orb/error.h"
 #include "tests/support/data.h"
@@ -41,7 +42,7 @@ TEST(ObservationTable, ReadsBackWhatWasWritten) {
   ObservationWriter writer(file);
   for (int i = 0; i < 3; ++i) writer.Add({i, 100000 + i, 0.1F * i, 1e3F + i, 0.5F});
   writer.Finish();
-  EXPECT_EQ(std::filesystem::file_size(file), 192 + 3 * 18u);
+  EXPECT_EQ(std::filesystem::file_size(file), kNpyHeaderSize + 3 * 18u);
   const std::vector<ObservationRow> rows = ReadObservations(file);
   ASSERT_EQ(rows.size(), 3u);
   for (int i = 0; i < 3; ++i) {

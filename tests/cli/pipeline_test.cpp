@@ -362,6 +362,16 @@ TEST_F(Pipeline, ObservationsAndMapAndFramesBelongTogether) {
   EXPECT_LE(counts.size(), points.size());
 }
 
+TEST_F(Pipeline, FeaturesOfKeyframesAreWrittenOnRequest) {
+  EXPECT_FALSE(fs::exists(Result() / "keyframe_features.npy"));
+  const fs::path result = *folder_ / "features";
+  ASSERT_EQ(RunOn(Street(), result, {"--keyframe-features"}).exit_code, kDone);
+  if (!HasPythonPackage("numpy")) GTEST_SKIP() << "needs NumPy, see CONTRIBUTING.md";
+  const fs::path script = SourceDir() / "tests" / "cli" / "check_keyframe_features.py";
+  const CommandResult check = RunPython({script, result});
+  EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+}
+
 TEST_F(Pipeline, AResultIsExportedForOtherPrograms) {
   const fs::path model = *folder_ / "model";
   const CommandResult colmap = RunCorvo({"export", Result(), "--to", "colmap", "--images",
