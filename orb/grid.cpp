@@ -80,7 +80,7 @@ void GridSelector::GroupByCell(std::span<const Corner> corners) {
 }
 
 int GridSelector::FullRounds(int quota) {
-  cells_with_more_.assign(1, 0);
+  cells_with_more_.clear();
   int begin = 0;
   for (const int end : cell_ends_) {  // Histogram of cell sizes, then its suffix sums.
     const std::size_t size = end - std::exchange(begin, end);

@@ -49,7 +49,7 @@ class LshIndex::Search {
     CompareAdded();
     const int max_flips = std::min(index_.options_.max_flips, index_.bits_a_key());
     for (int flips = 0; flips <= max_flips; ++flips) {
-      const int step = flips == 0 ? std::max(num_tables_, 1) : kTablesAtOnce;
+      const int step = flips == 0 ? num_tables_ : kTablesAtOnce;
       for (int first = 0; first < num_tables_; first += step) {
         const int end = std::min(first + step, num_tables_);
         for (int t = first; t < end; ++t) ProbeTable(t, flips);

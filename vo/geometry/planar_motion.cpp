@@ -16,19 +16,6 @@ double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// Returns the homography with the sign that keeps points in front of the camera.
-Eigen::Matrix3d WithPositiveDepth(const Eigen::Matrix3d& homography,
-                                  const std::vector<RayMatch>& matches,
-                                  const std::vector<char>& is_inlier) {
-  double sum = 0;
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    if (!is_inlier[i]) continue;
-    const double depth = (homography * matches[i].first.homogeneous()).z();
-    sum += depth > 0 ? 1 : -1;
-  }
-  return sum < 0 ? Eigen::Matrix3d(-homography) : homography;
-}
-
 /// Returns the share of the inliers' rays that meet the plane in front of the first camera.
 double ShareBeforePlane(const Eigen::Vector3d& normal, const std::vector<RayMatch>& matches,
                         const std::vector<char>& is_inlier) {
@@ -62,8 +49,9 @@ std::vector<PlanarMotion> DecomposeHomography(const Eigen::Matrix3d& homography,
                                               double min_share_before_plane) {
   constexpr double kSamePlaneDeg = 1;  // For a motion along the normal, both solutions coincide.
   cv::Mat matrix;
-  cv::eigen2cv(WithPositiveDepth(homography, matches, is_inlier), matrix);
+  cv::eigen2cv(homography, matrix);
   std::vector<cv::Mat> rotations, translations, normals;
+  // The sign of the matrix does not matter: rotations are returned, not reflections.
   cv::decomposeHomographyMat(matrix, cv::Mat::eye(3, 3, CV_64F), rotations, translations, normals);
   std::vector<PlanarMotion> motions;
   for (std::size_t i = 0; i < rotations.size(); ++i) {

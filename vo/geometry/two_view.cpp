@@ -124,14 +124,12 @@ std::vector<TwoViewPoint> TriangulateInFront(const std::vector<RayMatch>& matche
   return points;
 }
 
-/// Returns the parallax that at least `min_points` points reach, or the smallest parallax if there
-/// are fewer points, radians.
+/// Returns the parallax that `min_points` points reach, radians. There must be as many.
 double ParallaxReached(const std::vector<TwoViewPoint>& points, int min_points) {
   std::vector<double> angles;
   for (const TwoViewPoint& point : points) angles.push_back(point.parallax);
-  if (angles.empty()) return 0;
   std::sort(angles.begin(), angles.end(), std::greater<>());
-  return angles[std::min<std::size_t>(min_points, angles.size()) - 1];
+  return angles[min_points - 1];
 }
 
 /// Selects the motion with the most points in front of both views, or sets the reason why none is

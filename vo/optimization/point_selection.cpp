@@ -12,8 +12,8 @@ std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return begin[a + 1] - begin[a] > begin[b + 1] - begin[b]; });
-  std::vector<char> is_selected(bundle.points.size(), 0);
-  std::vector<int> num_selected(bundle.views.size(), 0);
+  std::vector<char> is_selected(bundle.points.size());
+  std::vector<int> num_selected(bundle.views.size());
   for (const int point : order) {
     const auto first = bundle.observations.begin() + begin[point];
     const auto last = bundle.observations.begin() + begin[point + 1];

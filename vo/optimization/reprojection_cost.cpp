@@ -79,8 +79,9 @@ void ReprojectionCost::SetUnprojectable(double* residuals, double** jacobians) c
   residuals[0] = kUnprojectableError;
   residuals[1] = 0;
   if (jacobians == nullptr) return;
-  for (std::size_t i = 0; i < parameter_block_sizes().size(); ++i) {
-    if (jacobians[i] != nullptr) std::fill_n(jacobians[i], 2 * parameter_block_sizes()[i], 0.0);
+  for (const int size : parameter_block_sizes()) {
+    double* jacobian = *jacobians++;
+    if (jacobian != nullptr) std::fill_n(jacobian, 2 * size, 0.0);
   }
 }
 

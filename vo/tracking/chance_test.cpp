@@ -50,10 +50,9 @@ double MeasureChance(const GuidedQueries& queries, const Frame& frame,
   return num_matches / num_queries;
 }
 
-/// The Kullback-Leibler divergence between two Bernoulli distributions.
+/// The Kullback-Leibler divergence between two Bernoulli distributions, neither 0 nor 1.
 double Divergence(double share, double chance) {
-  const double rest = share < 1 ? (1 - share) * std::log((1 - share) / (1 - chance)) : 0;
-  return share * std::log(share / chance) + rest;
+  return share * std::log(share / chance) + (1 - share) * std::log((1 - share) / (1 - chance));
 }
 
 }  // namespace

@@ -75,6 +75,20 @@ INSTANTIATE_TEST_SUITE_P(Directions, DecomposeHomographyTest,
                                            Eigen::Vector3d(0.1, 0.1, 1.2),
                                            Eigen::Vector3d(0.4, -0.2, -0.5)));
 
+/// Most matches are wrong, with rays that do not meet the plane in front of the first camera.
+TEST(PlanarMotionTest, OnlyInliersHaveToMeetThePlaneInFrontOfTheCamera) {
+  const SE3 truth(SO3::Exp({0.02, 0.1, -0.05}), {0.1, 0.1, 1.2});
+  const Plane plane{Eigen::Vector3d(-0.3, 0.1, 1).normalized(), 4};
+  const Eigen::Matrix3d homography = HomographyOf(truth, plane);
+  std::vector<RayMatch> matches = MatchesOf(homography);
+  std::vector<char> is_inlier(matches.size(), 1);
+  const RayMatch wrong{{10, 0}, {0, 0}, 0.002};
+  ASSERT_LT(plane.normal.dot(wrong.first.homogeneous()), 0);
+  matches.resize(3 * matches.size(), wrong);
+  is_inlier.resize(matches.size(), 0);
+  EXPECT_TRUE(HasTruth(DecomposeHomography(homography, matches, is_inlier), truth, plane));
+}
+
 TEST(PlanarMotionTest, SidewaysMotionHasOneSolutionInFrontOfTheCameras) {
   const Plane wall{Eigen::Vector3d::UnitZ(), 3};
   EXPECT_EQ(Decompose(HomographyOf(SE3(SO3(), {0.5, 0, 0}), wall)).size(), 1u);

@@ -146,6 +146,32 @@ TEST(TwoViewTest, APlanarMotionIsTriangulated) {
   EXPECT_GT(result.points.size(), 300u);
 }
 
+/// All points are far away but the first ones.
+TEST(TwoViewTest, AsManyPointsAsAMapNeedsHaveToReachTheLeastParallax) {
+  test::Random random(4);
+  const SE3 truth(SO3(), {1, 0, 0});
+  InitializerOptions options;
+  options.min_points = 10;
+  options.min_parallax_deg = 1;
+  const auto reason = [&](int num_near) {
+    test::PointScene scene = test::MakeBoxScene(60, 100, 110, random);
+    for (int i = 0; i < num_near; ++i) scene.in_world[i] *= 20 / scene.in_world[i].z();
+    const auto matches = MatchViews(scene, truth, 0, 0, random);
+    return TriangulatePlanarMotion(matches, {truth.Inverse(), {0, 0, 1}}, options).reason;
+  };
+  EXPECT_EQ(reason(9), Reason::kLowParallax);
+  EXPECT_EQ(reason(10), Reason::kNone);
+}
+
+TEST(TwoViewTest, NoParallaxIsBelowALimitOfZero) {
+  test::Random random(4);
+  const auto matches = MatchViews(test::MakeBoxScene(60, 3, 15, random), SE3(), 0, 0, random);
+  InitializerOptions options;
+  EXPECT_TRUE(CheckPureRotation(matches, options).first_from_second_rotation);
+  options.min_parallax_sigmas = 0;
+  EXPECT_FALSE(CheckPureRotation(matches, options).first_from_second_rotation);
+}
+
 TEST(TwoViewTest, UnrelatedViewsHaveNoMotion) {
   test::Random random(5);
   const test::PointScene scene = test::MakeBoxScene(200, 3, 15, random);
