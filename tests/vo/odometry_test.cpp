@@ -380,6 +380,10 @@ TEST(OdometryTest, MemoryUseIncludesTheFramesThatWaitForInitialization) {
   odometry.Process(MakeDrive(1, 9)[0], kFrameTime);
   EXPECT_GT(odometry.memory_use().working_set_bytes,
             odometry.map().working_set_bytes() + 500 * sizeof(orb::Descriptor));
+  EXPECT_EQ(
+      odometry.memory_use().working_set_bytes,
+      odometry.map().working_set_bytes() + NumBytes(odometry.last_frame()) + NumBytes(Frame()))
+      << "the map, the frame that waits and a previous frame, which is empty";
 }
 
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {

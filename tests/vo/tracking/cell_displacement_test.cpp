@@ -38,6 +38,16 @@ INSTANTIATE_TEST_SUITE_P(Shifts, ShiftTest,
                          testing::Values(cv::Point2d(0, 0), cv::Point2d(0.7, 0),
                                          cv::Point2d(0, 0.7), cv::Point2d(-0.5, 0.5)));
 
+TEST(CellDisplacementTest, BrightnessMovesNoCell) {
+  const cv::Mat image = MakeTexture();
+  CellDisplacement displacement{ReducedImage(image)};
+  for (const CellMotion& cell : displacement.Measure(ReducedImage(image + cv::Scalar(20)))) {
+    if (!cell.is_textured) continue;
+    EXPECT_FALSE(cell.is_changed);
+    EXPECT_NEAR(cell.displacement(), 0, 1e-6);
+  }
+}
+
 TEST(CellDisplacementTest, OtherContentIsAChange) {
   const cv::Mat image = MakeTexture();
   cv::Mat other;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -77,6 +78,34 @@ TEST_P(ChanceTest, AllLandmarksAreMeaningful) {
     if (is_shown && shown.size() < 30) shown.push_back(id);
   }
   EXPECT_TRUE(IsBeyondChance(map_, shown, view.frame, {128}));
+}
+
+/// Where nothing matches by chance in four times thirty places, one match in 121 is assumed. With
+/// three matches for free, n others of thirty have a probability of exp(-30 KL(n/30 | 1/121)): 5e-4
+/// for four and 2e-5 for five.
+TEST_P(ChanceTest, EightMatchesOfThirtyLandmarksAreTheFewestThatAreMeaningfulWithoutClutter) {
+  const test::SceneView view = View(0.6);
+  std::vector<LandmarkId> shown;
+  std::vector<int> keypoints;
+  for (int k = 0; k < view.frame.num_keypoints() && shown.size() < 30; ++k) {
+    const Eigen::Vector2d pixel = view.frame.pixel(k);
+    if (std::abs(pixel.x() - 320) > 260 || std::abs(pixel.y() - 240) > 180) continue;
+    const auto is_shown = [&](LandmarkId id) {
+      return map_.FindLandmark(id)->in_world == scene_.in_world[view.points[k]];
+    };
+    const auto landmark = std::ranges::find_if(landmarks_, is_shown);
+    if (landmark == landmarks_.end()) continue;
+    shown.push_back(*landmark);
+    keypoints.push_back(k);
+  }
+  ASSERT_EQ(shown.size(), 30u);
+  const auto is_beyond = [&](int num_matches) {
+    Frame frame = view.frame;
+    SelectKeypoints({keypoints.begin(), keypoints.begin() + num_matches}, frame);
+    return IsBeyondChance(map_, shown, frame, {64});
+  };
+  EXPECT_FALSE(is_beyond(7));
+  EXPECT_TRUE(is_beyond(8));
 }
 
 TEST_P(ChanceTest, AFewMatchesAreNotMeaningfulAmongDenseClutter) {

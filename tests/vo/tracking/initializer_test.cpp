@@ -136,5 +136,19 @@ TEST_F(InitializerTest, ForgetsTheOldestFrames) {
   EXPECT_EQ(initializer_.TakeFrames().size(), 3u);
 }
 
+TEST_F(InitializerTest, ForgettingTheOldestFrameKeepsTheReference) {
+  OdometryOptions options;
+  options.initializer.max_waiting_frames = 4;
+  initializer_ = Initializer(options, test::MakeModel());
+  for (int i = 0; i < 3; ++i) initializer_.AddFrame(Frame());  // Blank: none can be the reference.
+  test::SceneView view = test::ObserveScene(scene_, camera_, Shifted(0), 0.3, random_);
+  view.frame.index = 7;
+  EXPECT_EQ(initializer_.AddFrame(std::move(view.frame)).reason, Reason::kReferenceFrame);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(Add(Shifted(0)).reference, 7) << i;
+    EXPECT_EQ(initializer_.reference(), 2 - i);
+  }
+}
+
 }  // namespace
 }  // namespace corvo

@@ -78,8 +78,8 @@ TEST_P(RepeatDetectorTest, SlowForwardMotionIsMotion) {
 /// Cells move by less than the noise of a single cell; only their motion together tells.
 TEST(RepeatDetectorOfASquareImageTest, AFaintZoomOrTurnIsMotion) {
   const cv::Mat image = MakeSmoothTexture(480, 480);
-  EXPECT_FALSE(Repeats(image, Zoom(image, 1 + 0.5 / image.cols)));
-  const double degrees = 0.5 / image.cols * 180 / CV_PI;
+  EXPECT_FALSE(Repeats(image, Zoom(image, 1 + 0.35 / image.cols)));
+  const double degrees = 0.35 / image.cols * 180 / CV_PI;
   EXPECT_FALSE(Repeats(image, test::TurnAndZoom(image, degrees, 1)));
 }
 
@@ -104,6 +104,31 @@ INSTANTIATE_TEST_SUITE_P(Sizes, RepeatDetectorTest,
                          [](const auto& param_info) {
                            return "Width" + std::to_string(param_info.param.width);
                          });
+
+/// Returns a gray image of 32 x 24 cells of which `num_cells` show texture.
+cv::Mat MakeImageWithTexturedCells(int num_cells) {
+  constexpr int kSize = CellDisplacement::kCellSize;
+  const cv::Mat texture = MakeSmoothTexture(320, 240);
+  cv::Mat image(240, 320, CV_8UC1, cv::Scalar(100));
+  for (int i = 0; i < num_cells; ++i) {
+    const cv::Rect inner(i % 8 * 4 * kSize + 1, i / 8 * 4 * kSize + 1, kSize - 2, kSize - 2);
+    texture(inner).copyTo(image(inner));
+  }
+  int num_textured = 0;
+  const ReducedImage reduced(image);
+  for (const CellMotion& cell : CellDisplacement(reduced).Measure(reduced)) {
+    num_textured += cell.is_textured;
+  }
+  EXPECT_EQ(num_textured, num_cells);
+  return image;
+}
+
+TEST(RepeatDetectorBlankTest, ImagesWithTextureInFewerThanTwentyCellsRepeatOnlyIfTheyAreEqual) {
+  const cv::Mat twenty = MakeImageWithTexturedCells(20), fewer = MakeImageWithTexturedCells(19);
+  EXPECT_TRUE(Repeats(twenty, twenty + cv::Scalar(1)));
+  EXPECT_FALSE(Repeats(fewer, fewer + cv::Scalar(1)));
+  EXPECT_TRUE(Repeats(fewer, fewer));
+}
 
 TEST(RepeatDetectorBlankTest, BlankImagesRepeatOnlyIfTheyAreEqual) {
   const cv::Mat dark(480, 640, CV_8UC1, cv::Scalar(10)),
