@@ -74,6 +74,17 @@ TEST(FindTimeOffset, DoesNotDependOnTheOrigin) {
   EXPECT_TRUE(FindTimeOffset(ShiftTimes(-kSecond, Along(2, 200, 0.005)), truth));
 }
 
+TEST(FindTimeOffset, SuspectsNothingInAnInaccurateTrajectoryWhereverTheOriginIs) {
+  const PoseSequence rough = ShiftTimes(-kSecond, Along(2, 200, 0.6));
+  for (const double origin : {0.0, 1000.0}) {
+    PoseSequence truth = Along(0, 400, 0);
+    for (TimedPose& pose : truth) {
+      pose.world_from_camera = SE3(SO3(), {origin, 0, 0}) * pose.world_from_camera;
+    }
+    EXPECT_FALSE(FindTimeOffset(rough, truth)) << origin;
+  }
+}
+
 TEST(FindTimeOffset, SuspectsNothingOnAStraightPath) {
   PoseSequence truth;
   for (int i = 0; i < 200; ++i) truth.push_back({i * kFrame, SE3(SO3(), {0.1 * i, 0, 0})});

@@ -65,6 +65,26 @@ TEST(CalibrationCheckTest, TwoPartsThatAgreeAreEnough) {
   EXPECT_TRUE(check.is_implausible);
 }
 
+TEST(CalibrationCheckTest, LessThanHalfOfThePartsAreNotEnough) {
+  constexpr double kFocals[] = {410, 450, 450, 500, 550};
+  test::Random random(1);
+  const test::PointScene scene = test::MakeBoxScene(900, 3, 12, random);
+  const std::vector<SE3> poses = Walk(30);
+  std::vector<test::SceneView> views;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    CameraParameters camera = test::PinholeCamera().parameters();
+    camera.fx = camera.fy = kFocals[i / 6];
+    views.push_back(test::ObserveScene(scene, Camera(camera), poses[i], 0.1, random));
+  }
+  CalibrationCheckOptions options;
+  options.num_parts = 5;
+  const CalibrationCheck check = CheckCalibration(test::MakeMap(scene, views), options);
+  EXPECT_EQ(check.num_parts, 5);
+  EXPECT_EQ(check.num_agreeing, 2);
+  EXPECT_NEAR(check.focal_px, 450, 5);
+  EXPECT_FALSE(check.is_implausible);
+}
+
 TEST(CalibrationCheckTest, PartsThatDisagreeDoNotMakeTheCalibrationImplausible) {
   Map map = MakeWalkMap(1.1);
   // Wrong matches: in half of the parts the landmarks of a keyframe are shifted in depth.

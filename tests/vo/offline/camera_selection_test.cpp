@@ -67,6 +67,7 @@ CameraCandidate Candidate(int num_free, double criterion) {
 
 TEST(CameraSelectionTest, SelectsTheSimplestCandidateThatIsNotClearlyWorse) {
   EXPECT_EQ(SelectCandidate({Candidate(3, 109), Candidate(4, 100), Candidate(7, 100)}), 0);
+  EXPECT_EQ(SelectCandidate({Candidate(3, 110), Candidate(7, 100)}), 0);
   EXPECT_EQ(SelectCandidate({Candidate(3, 111), Candidate(7, 100), Candidate(4, 105)}), 2);
   EXPECT_EQ(SelectCandidate({Candidate(3, 200), Candidate(7, 100)}), 1);
 }

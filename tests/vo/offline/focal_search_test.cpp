@@ -130,6 +130,21 @@ TEST(FocalSearch, UninformativePairsDoNotHideInformativeOnes) {
   EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
 }
 
+/// The pairs contradict each other, so that the variance is that of their disagreement.
+TEST(FocalSearch, TwiceTheSamePairsHalveTheVariance) {
+  test::Random random(2);
+  std::vector<PixelMatches> pairs;
+  for (const double focal : {498.0, 502.0}) {
+    pairs.push_back(
+        MatchViews({.focal = focal, .noise_px = 0.1, .first_from_second = TurnAndMove}, random));
+  }
+  const FocalSearchResult once = SearchFocal(pairs, kWidth, kHeight);
+  pairs.insert(pairs.end(), {pairs[0], pairs[1]});
+  const FocalSearchResult twice = SearchFocal(pairs, kWidth, kHeight);
+  EXPECT_NEAR(std::pow(twice.focal_sigma / once.focal_sigma, 2), 0.5, 1e-9);
+  EXPECT_NEAR(twice.camera.fx, once.camera.fx, 1e-9);
+}
+
 TEST(FocalSearch, AFocalLengthOutsideTheSweepIsNotDetermined) {
   test::Random random(1);
   const std::vector<PixelMatches> pairs = {MatchViews({.first_from_second = TurnAndMove}, random)};

@@ -16,10 +16,11 @@ constexpr int kNumImages = 10;
 
 /// Returns the pairs among images of 640x480 px of a texture that moves by `step_px` from image to
 /// image.
-std::vector<PixelMatches> PairsOfMovingTexture(int step_px) {
+std::vector<PixelMatches> PairsOfMovingTexture(int step_px, double min_displacement = 0.02) {
   const cv::Mat texture = test::MakeTexture(640 + kNumImages * step_px, 480, 7);
   ImagePairOptions options;
   options.max_pairs = 2;
+  options.min_displacement = min_displacement;
   ImagePairs pairs(kNumImages, options);
   for (int i = 0; i < kNumImages; ++i) {
     if (pairs.Needs(i)) pairs.Add(i, texture(cv::Rect(i * step_px, 0, 640, 480)).clone());
@@ -42,6 +43,11 @@ TEST(ImagePairsTest, FeaturesHaveMovedFarBetweenTheImagesOfAPair) {
 
 TEST(ImagePairsTest, ImagesBetweenWhichLittleMovesAreNoPair) {
   EXPECT_TRUE(PairsOfMovingTexture(1).empty());
+}
+
+TEST(ImagePairsTest, ImagesOfAStandingCameraAreNoPairEvenIfAnyMotionIsEnough) {
+  EXPECT_FALSE(PairsOfMovingTexture(1, 0).empty());
+  EXPECT_TRUE(PairsOfMovingTexture(0, 0).empty());
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <vector>
@@ -105,6 +107,50 @@ TEST(RefinerTest, NumberOfFramesBetweenKeyframesFollowsTheOptions) {
   EXPECT_EQ(Refine(recorded.odometry, recorded.log, options).num_adjusted, num_more);
   options.sequence.max_frames = num_keyframes;
   EXPECT_EQ(Refine(recorded.odometry, recorded.log, options).num_adjusted, num_keyframes);
+}
+
+/// Returns the log with only the first observations of one frame.
+ObservationLog Shorten(const Recorded& recorded, int frame, int num_observations) {
+  ObservationLog log;
+  const ObservationCallback add = log.Callback();
+  for (FrameObservations& seen : recorded.Logged()) {
+    if (seen.frame == frame) seen.observations.resize(num_observations);
+    add(seen);
+  }
+  return log;
+}
+
+/// Returns the number of inliers in a frame after the adjustment of a sequence.
+int CountInliers(const Odometry& odometry, const ObservationLog& log, const FrameKey& frame) {
+  const SequenceRecord record(odometry, log, {});
+  std::vector<Bundle> bundles = record.MakeBundles();
+  BundleAdjuster(RefinerOptions().adjustment)
+      .Adjust(PriorOf(odometry), odometry.camera().parameters(), bundles, {});
+  const auto view = std::distance(record.frames().begin(), record.frames().find(frame));
+  return static_cast<int>(
+      std::ranges::count_if(bundles.front().observations,
+                            [&](const auto& seen) { return seen.view == view && seen.is_inlier; }));
+}
+
+TEST(RefinerTest, FramesWithAsManyInliersAsTrackingNeedsAreAdjusted) {
+  Recorded recorded;
+  recorded.Drive(12, 1);
+  const Odometry& odometry = recorded.odometry;
+  const SequenceRecord record(odometry, recorded.log, {});
+  const auto frame = std::ranges::find_if(
+      record.frames(), [](const auto& adjusted) { return adjusted.second.seen.keyframe == kNoId; });
+  ASSERT_NE(frame, record.frames().end());
+  const int num_frames = static_cast<int>(record.frames().size());
+  const int needed = OdometryOptions().tracker.min_inliers;
+  std::set<int> counts;
+  for (int n = needed - 2; counts.count(needed) == 0 && n < 2 * needed; ++n) {
+    const ObservationLog log = Shorten(recorded, frame->first.second, n);
+    const int num_inliers = CountInliers(odometry, log, frame->first);
+    counts.insert(num_inliers);
+    EXPECT_EQ(Refine(odometry, log).num_adjusted, num_frames - (num_inliers < needed)) << n;
+  }
+  EXPECT_EQ(counts.count(needed), 1u);
+  EXPECT_EQ(counts.count(needed - 1), 1u);
 }
 
 TEST(RefinerTest, MarginalizedKeyframesAreAdjustedLikeActiveOnes) {

@@ -3,10 +3,48 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
 #include "tests/support/matchers.h"
+#include "tests/vo/two_walls.h"
 
 namespace corvo {
 namespace {
+
+/// Images at intervals of a tenth of a second.
+class ImagesInMemory : public ImageStream {
+ public:
+  explicit ImagesInMemory(std::vector<cv::Mat> images) : images_(std::move(images)) {}
+
+  std::optional<StreamImage> Next() override {
+    if (next_ == images_.size()) return std::nullopt;
+    const TimeNs time_ns = 100'000'000 * static_cast<TimeNs>(next_);
+    return StreamImage{images_[next_++], time_ns, {}, {}};
+  }
+  bool Skip() override { return Next().has_value(); }
+
+ private:
+  std::vector<cv::Mat> images_;
+  std::size_t next_ = 0;
+};
+
+TEST(FindCameraTest, PassesWithAFixedCameraAreAsManyAsAllowedAndOneVerifies) {
+  SelfCalibrationOptions options;
+  options.max_rounds = 1;
+  options.image_pairs.max_pairs = 2;
+  options.focal_search.num_coarse = 9;
+  std::set<int> passes;
+  const auto open = [] { return std::make_unique<ImagesInMemory>(test::MakeDrive(12, 1)); };
+  EXPECT_TRUE(FindCamera(open, options, [&](const CalibrationStep& step) {
+    if (step.stage == CalibrationStep::Stage::kTracking) passes.insert(step.round);
+    return true;
+  }));
+  EXPECT_EQ(passes, (std::set<int>{1, 2}));
+}
 
 TEST(StatedFocalPriorTest, IsACenteredPinholeWithAnUncertainFocalLength) {
   SelfCalibrationOptions options;
@@ -40,6 +78,12 @@ TEST(StatedFocalPriorTest, RejectsValuesOutOfRange) {
         StatedFocalPrior(520, {640, 480}, options);
       },
       test::ThrowsError("self_calibration.max_focal_sigma is 15"));
+  options.max_focal_sigma = 0.05;  // Less than the least.
+  EXPECT_THAT(
+      [&] {
+        StatedFocalPrior(520, {640, 480}, options);
+      },
+      test::ThrowsError("self_calibration.max_focal_sigma is 0.05", "0.1 to 10"));
 }
 
 }  // namespace
