@@ -142,6 +142,25 @@ TEST(LearnPatternTest, PrefersTestsWhoseBitIsStable) {
   for (const auto& [p, q] : result.pattern) EXPECT_GE(std::min(p.x, q.x), first_steady_x);
 }
 
+TEST(LearnPatternTest, TestsWhoseBitNeverVariesAreNotChosen) {
+  const TrainingSet random = RandomTraining();
+  constexpr int kDarkest = 0, kBrightest = 600;
+  std::vector<PositionSums> sums(kSize);
+  for (int k = 0; k < kSize; ++k) {
+    for (int i = 0; i < kNumPositions; ++i) sums[k][i] = random.first(i)[k] % 1000 + 1;
+    sums[k][kDarkest] = 0;
+    sums[k][kBrightest] = 2000;
+  }
+  TrainingSet training(kSize);
+  training.Add(sums, sums);
+  for (const auto& [p, q] : LearnPattern(training, 1).pattern) {
+    for (const int position : {PositionOf(p), PositionOf(q)}) {
+      EXPECT_NE(position, kDarkest);
+      EXPECT_NE(position, kBrightest);
+    }
+  }
+}
+
 TEST(LearnPatternTest, PatternDoesNotDependOnTheNumberOfThreads) {
   const TrainingSet training = RandomTraining(-5);
   const Pattern pattern = LearnPattern(training, 1).pattern;

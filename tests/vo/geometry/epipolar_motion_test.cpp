@@ -38,6 +38,19 @@ TEST(EpipolarMotionTest, MatchesOutweighAnUncertainRotation) {
   EXPECT_NEAR(fit.cost, std::pow(apart.norm() / kRotationSigma, 2), 0.4);
 }
 
+TEST(EpipolarMotionTest, TwiceTheInformationHalvesHowFarMatchesTurnAnAlmostCertainRotation) {
+  const SE3 truth(SO3::Exp({0.02, 0.05, -0.03}), {0.8, 0.1, 0.2});
+  const EpipolarMotion start{SO3::Exp({0, 0, 5e-4}) * truth.rotation(),
+                             truth.translation().normalized()};
+  const auto turn = [&](double information) {
+    const auto fit = FitEpipolarMotion(MatchViews(truth), start, 1 / std::sqrt(information));
+    return (fit.state.second_from_first * start.second_from_first.Inverse()).Log().z();
+  };
+  const double once = turn(1e10), twice = turn(2e10);
+  EXPECT_LT(once, 0) << "toward the truth";
+  EXPECT_NEAR(twice / once, 0.5, 0.01);
+}
+
 TEST(EpipolarMotionTest, ACertainRotationIsKept) {
   const SE3 truth(SO3(), {0.8, 0.1, 0.2});
   const EpipolarMotion start{SO3::Exp({0.01, 0, 0}), truth.translation().normalized()};

@@ -27,6 +27,16 @@ double Rounding(const SE3::Tangent& motion) {
   return 1e-14 * std::max(1.0, motion.head<3>().norm());
 }
 
+/// Returns the series of the adjoint algebra, Σ adⁿ / (n + 1)!.
+SE3::Matrix6 SeriesOfLeftJacobian(const SE3::Tangent& motion) {
+  SE3::Matrix6 ad;
+  ad << SO3::Hat(motion.tail<3>()), SO3::Hat(motion.head<3>()), Eigen::Matrix3d::Zero(),
+      SO3::Hat(motion.tail<3>());
+  SE3::Matrix6 series = SE3::Matrix6::Identity();
+  for (int k = 40; k >= 2; --k) series = SE3::Matrix6::Identity() + ad * series / k;
+  return series;
+}
+
 TEST(SE3Test, DefaultIsIdentity) { EXPECT_EQ(SE3().matrix(), Eigen::Matrix4d::Identity()); }
 
 TEST(SE3Test, RotatesThenTranslates) {
@@ -106,12 +116,17 @@ TEST(SE3Test, LeftJacobianIsTheDerivativeOfExp) {
 
 TEST(SE3Test, LeftJacobianAgreesWithTheSeriesOfTheAdjointAlgebra) {
   for (const SE3::Tangent& motion : AwkwardMotions()) {
-    SE3::Matrix6 ad;
-    ad << SO3::Hat(motion.tail<3>()), SO3::Hat(motion.head<3>()), Eigen::Matrix3d::Zero(),
-        SO3::Hat(motion.tail<3>());
-    SE3::Matrix6 series = SE3::Matrix6::Identity();
-    for (int k = 40; k >= 2; --k) series = SE3::Matrix6::Identity() + ad * series / k;
-    EXPECT_THAT(SE3::LeftJacobian(motion), IsMatrixNear(series, 10 * Rounding(motion)));
+    EXPECT_THAT(SE3::LeftJacobian(motion),
+                IsMatrixNear(SeriesOfLeftJacobian(motion), 10 * Rounding(motion)));
+  }
+}
+
+TEST(SE3Test, LeftJacobianIsExactToRoundingWhereItIsASeries) {
+  test::Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    SE3::Tangent motion;
+    motion << random.Direction(), 0.2999 * random.Direction();
+    EXPECT_THAT(SE3::LeftJacobian(motion), IsMatrixNear(SeriesOfLeftJacobian(motion), 1e-15));
   }
 }
 
