@@ -48,6 +48,7 @@ set(corvo_public_headers
   vo/offline/calibration_check.h
   vo/offline/camera_path.h
   vo/offline/camera_selection.h
+  vo/offline/expected_drift.h
   vo/offline/focal_search.h
   vo/offline/ground_height.h
   vo/offline/image_pairs.h

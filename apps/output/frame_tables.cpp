@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kFrameHeader =
     "index,timestamp,state,reason,segment,posed,features,matches,inliers,parallax,masked,"
     "window_adjustment,camera_adjustment,keyframe,found_share,image_coverage,distance_sigma,"
-    "weakest_sigma,image\n";
+    "weakest_sigma,drift_sigma,image\n";
 
 /// Returns a field of a CSV file, in quotes if it needs them (RFC 4180).
 std::string CsvField(const std::string& text) {
@@ -92,13 +92,13 @@ std::string FrameTable(const Trajectory& trajectory, const std::vector<std::stri
     const std::string image = i < images.size() ? CsvField(images[i]) : "";
     table += fmt::format(
         "{},{},{},{},{},{},{},{},{},{:.6f},{:.4f},{},{},{},"
-        "{:.4f},{:.4f},{:.6g},{:.6g},{}\n",
+        "{:.4f},{:.4f},{:.6g},{:.6g},{:.6g},{}\n",
         frame.index, FormatSeconds(frame.time_ns), ToString(frame.state), ToString(frame.reason),
         frame.segment, frame.world_from_camera ? 1 : 0, frame.num_features, frame.num_matches,
         frame.num_inliers, frame.parallax_deg, frame.masked_share,
         ToString(frame.window_adjustment), ToString(frame.camera_adjustment),
         frame.is_keyframe ? 1 : 0, frame.health.found_share, frame.health.image_coverage,
-        frame.health.distance_sigma, frame.health.weakest_sigma, image);
+        frame.health.distance_sigma, frame.health.weakest_sigma, frame.health.drift_sigma, image);
   }
   return table;
 }

@@ -11,6 +11,7 @@
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
 #include "apps/run/stopwatch.h"
+#include "vo/offline/expected_drift.h"
 
 namespace corvo {
 namespace {
@@ -135,6 +136,9 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
     RefineRecord(interruption, inputs.source.is_live(), record);
   }
   BringToMeters(arguments, record);
+  record.graph =
+      WithPosesOf(record.trajectory, MetersPerUnit(record), record.odometry.GetPoseGraph());
+  SetExpectedDrift(record.graph, record.trajectory);
   record.elapsed_s = watch.ElapsedMs() / 1e3;
   return record;
 }

@@ -80,6 +80,11 @@ void BringToMeters(const RunArguments& arguments, RunRecord& record) {
   record.why_not_metric = WhyNotMetric(*record.metric);
 }
 
+std::vector<double> MetersPerUnit(const RunRecord& record) {
+  if (record.metric) return record.metric->MetersPerUnit();
+  return std::vector<double>(record.trajectory.frames.size(), 1);
+}
+
 std::vector<MapPoint> PointsOf(const RunRecord& record) {
   std::vector<MapPoint> points = PointsInUnits(record);
   if (!record.metric) return points;

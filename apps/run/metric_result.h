@@ -18,6 +18,10 @@ KnownDistance ParseKnownDistance(const std::string& text);
 /// RunRecord::why_not_metric says why.
 void BringToMeters(const RunArguments& arguments, RunRecord& record);
 
+/// Returns the meters per unit of a record's odometry by the index of the frame; 1 if the
+/// trajectory is not in meters.
+std::vector<double> MetersPerUnit(const RunRecord& record);
+
 /// Returns the landmarks of a record, in the unit of its trajectory.
 std::vector<MapPoint> PointsOf(const RunRecord& record);
 

@@ -39,6 +39,7 @@ struct RunRecord {
   Trajectory trajectory;                  ///< Final estimate, in meters if `metric` is set.
   std::optional<MetricTransform> metric;  ///< Set if the scale was given or determined.
   std::string why_not_metric;  ///< What is not in meters, and why; empty if nothing or not asked.
+  PoseGraph graph;             ///< Of the keyframes, in the unit of the trajectory.
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
   LandmarkColors colors;

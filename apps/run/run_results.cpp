@@ -58,12 +58,6 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
   }
 }
 
-/// Returns the meters per unit by the index of the frame.
-std::vector<double> MetersPerUnit(const RunRecord& record) {
-  if (record.metric) return record.metric->MetersPerUnit();
-  return std::vector<double>(record.trajectory.frames.size(), 1);
-}
-
 void WriteTables(const RunArguments& arguments, const RunRecord& record,
                  const OutputFolder& output) {
   std::vector<MapPoint> points = PointsOf(record);
@@ -72,12 +66,10 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
   output.Write("map.ply", ToPly(points));
   output.Write("frames.csv", FrameTable(record.trajectory, record.images));
   output.Write("relative_poses.csv", RelativePoseTable(record.trajectory));
-  const PoseGraph graph =
-      WithPosesOf(record.trajectory, MetersPerUnit(record), record.odometry.GetPoseGraph());
-  output.Write("pose_graph.g2o", ToG2o(graph, G2oForm::kSe3));
-  output.Write("pose_graph_sim3.g2o", ToG2o(graph, G2oForm::kSim3));
+  output.Write("pose_graph.g2o", ToG2o(record.graph, G2oForm::kSe3));
+  output.Write("pose_graph_sim3.g2o", ToG2o(record.graph, G2oForm::kSim3));
   if (arguments.keyframe_features) {
-    record.features.Write(graph, output.Stage("keyframe_features.npy"));
+    record.features.Write(record.graph, output.Stage("keyframe_features.npy"));
   }
   output.Write("timing.csv", TimingTable(record.timings));
   if (record.metric) output.Write("metric_scale.csv", MetricScaleTable(record.metric->scale()));

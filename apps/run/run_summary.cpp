@@ -18,6 +18,7 @@
 #include "apps/run/stated_focal.h"
 #include "orb/error.h"
 #include "orb/pyramid.h"
+#include "vo/offline/expected_drift.h"
 
 namespace corvo {
 namespace {
@@ -185,6 +186,26 @@ void CountFrames(const Trajectory& trajectory, RunSummary& summary) {
   summary.camera_adjustments.erase(AdjustmentStatus::kNone);
 }
 
+/// Sets what the covariances let expect of the error of the trajectory.
+void ExpectDrift(const Trajectory& trajectory, RunSummary& summary) {
+  double path = 0;  // Not across segments.
+  for (const Segment& segment : trajectory.Segments()) {
+    path += PathLength(PosesOf(segment, trajectory));
+  }
+  summary.expected_ate = ExpectedAte(trajectory);
+  if (path > 0) summary.expected_ate_of_path = summary.expected_ate / path;
+  summary.least_certain = LeastCertainRanges(trajectory);
+}
+
+/// Returns what to expect of the error of the trajectory.
+std::string DriftText(const RunSummary& summary) {
+  if (summary.expected_ate == 0) return "";
+  std::string text = fmt::format("expected ATE           {:.2g}% of the path at least\n",
+                                 100 * summary.expected_ate_of_path);
+  if (summary.least_certain.empty()) return text;
+  return text + fmt::format("least certain frames   {}\n", RangesText(summary.least_certain));
+}
+
 Json ToJson(const MatchResiduals& residuals, const CalibrationCheck& check) {
   return {{"matches", residuals.num_matches},
           {"median_px", residuals.median_px},
@@ -228,6 +249,9 @@ void AddCountsJson(const RunSummary& summary, Json& json) {
   json["masked_share"] = summary.masked_share;
   json["blurred"] = summary.num_blurred;
   json["scale_uncertain"] = ToJson(summary.uncertain_scale);
+  json["expected_ate"] = {{"rmse", summary.expected_ate},
+                          {"percent_of_path", 100 * summary.expected_ate_of_path}};
+  json["least_certain"] = ToJson(summary.least_certain);
   json["segments"] = ToJson(summary.segments);
   json["keyframes"] = summary.num_keyframes;
   json["landmarks"] = summary.num_landmarks;
@@ -260,6 +284,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);
   summary.uncertain_scale = UncertainScaleRanges(trajectory);
   summary.num_blurred = CountBlurredFrames(trajectory);
+  ExpectDrift(trajectory, summary);
   Warn(record, summary);
   if (!inputs.truth.poses.empty()) {
     EvaluationOptions options;
@@ -301,7 +326,7 @@ std::string SummaryText(const RunArguments& arguments, const RunSummary& summary
       100 * Share(summary.num_posed, summary.num_frames), summary.segments.size(),
       summary.segments.size() == 1 ? "" : "s", summary.num_keyframes, summary.num_landmarks);
   text += SegmentsText(summary) + OverlayText(summary) + ReasonsText(summary) +
-          ToText(summary.calibration);
+          ToText(summary.calibration) + DriftText(summary);
   if (summary.refinement) text += ToText(*summary.refinement);
   if (summary.evaluation) text += ToText(*summary.evaluation);
   if (summary.rotation_deg && summary.num_rotations > summary.num_posed) {

@@ -46,7 +46,12 @@ struct RunSummary {
   CalibrationCheck check;
   std::vector<MisfittingParameter> misfitting;
   CalibrationReport calibration;
-  std::vector<FrameRange> uncertain_scale;     ///< Frames at which the scale may have changed.
+  std::vector<FrameRange> uncertain_scale;  ///< Frames at which the scale may have changed.
+  /// The ATE that the covariances let expect, in the unit of the trajectory, and as a share of the
+  /// path; see ExpectedDrift().
+  double expected_ate = 0;
+  double expected_ate_of_path = 0;
+  std::vector<FrameRange> least_certain;       ///< The tenth of the frames with the largest drift.
   std::vector<std::string> warnings;           ///< What is doubtful about the result.
   std::optional<RefinementReport> refinement;  ///< Set if refinement was requested.
   std::optional<Evaluation> evaluation;        ///< Set if there is usable ground truth.

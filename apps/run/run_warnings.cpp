@@ -2,22 +2,62 @@
 #include "apps/run/run_warnings.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include <fmt/format.h>
 
 namespace corvo {
 
-std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory) {
+namespace {
+
+/// Returns the ranges of the frames that are selected by their index.
+std::vector<FrameRange> RangesOf(const std::vector<char>& is_selected) {
   constexpr int kMaxGap = 5;
   std::vector<FrameRange> ranges;
-  for (const FrameResult& frame : trajectory.frames) {
-    if (frame.reason != Reason::kScaleUncertain) continue;
-    const bool is_apart = ranges.empty() || frame.index > ranges.back().last + kMaxGap;
-    if (is_apart) ranges.push_back({frame.index, frame.index});
-    ranges.back().last = frame.index;
+  for (int i = 0; i < static_cast<int>(is_selected.size()); ++i) {
+    if (!is_selected[i]) continue;
+    if (ranges.empty() || i > ranges.back().last + kMaxGap) ranges.push_back({i, i});
+    ranges.back().last = i;
   }
   return ranges;
+}
+
+}  // namespace
+
+std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory) {
+  std::vector<char> is_uncertain;
+  for (const FrameResult& frame : trajectory.frames) {
+    is_uncertain.push_back(frame.reason == Reason::kScaleUncertain);
+  }
+  return RangesOf(is_uncertain);
+}
+
+std::vector<FrameRange> LeastCertainRanges(const Trajectory& trajectory) {
+  std::vector<double> sigmas;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (frame.world_from_camera) sigmas.push_back(frame.health.drift_sigma);
+  }
+  if (sigmas.size() < 10) return {};
+  const auto limit = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 10);
+  std::nth_element(sigmas.begin(), limit, sigmas.end(), std::greater<>());
+  std::vector<char> is_uncertain;
+  for (const FrameResult& frame : trajectory.frames) {
+    is_uncertain.push_back(frame.world_from_camera && frame.health.drift_sigma > *limit);
+  }
+  return RangesOf(is_uncertain);
+}
+
+std::string RangesText(const std::vector<FrameRange>& ranges) {
+  constexpr std::size_t kMaxRanges = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMaxRanges); ++i) {
+    const auto [first, last] = ranges[i];
+    text += i == 0 ? "" : ", ";
+    text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  }
+  if (ranges.size() <= kMaxRanges) return text;
+  return text + fmt::format(" and {} other ranges", ranges.size() - kMaxRanges);
 }
 
 std::string MissingImageWarning(Reason reason, const std::map<Reason, int>& counts,
@@ -41,22 +81,12 @@ std::string VideoWarning(const std::optional<VideoFrames>& frames) {
 }
 
 std::string ScaleWarning(const std::vector<FrameRange>& ranges) {
-  constexpr std::size_t kMaxRanges = 5;
   if (ranges.empty()) return "";
-  std::string text;
-  for (std::size_t i = 0; i < std::min(ranges.size(), kMaxRanges); ++i) {
-    const auto [first, last] = ranges[i];
-    text += i == 0 ? "" : ", ";
-    text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
-  }
-  if (ranges.size() > kMaxRanges) {
-    text += fmt::format(" and {} other ranges", ranges.size() - kMaxRanges);
-  }
   return fmt::format(
       "the scale is uncertain in the frames {}: it may differ before and after them, as a large "
       "moving object or repetitive texture makes it; these frames have the reason "
       "scale_uncertain in frames.csv",
-      text);
+      RangesText(ranges));
 }
 
 int CountBlurredFrames(const Trajectory& trajectory) {

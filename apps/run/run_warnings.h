@@ -27,6 +27,13 @@ struct FrameRange {
 /// range.
 std::vector<FrameRange> UncertainScaleRanges(const Trajectory& trajectory);
 
+/// Returns the ranges of the tenth of the posed frames whose position is the least certain, see
+/// ExpectedDrift(). Frames at most five apart are in one range.
+std::vector<FrameRange> LeastCertainRanges(const Trajectory& trajectory);
+
+/// Returns ranges as text: "3-8, 20, 31-40", at most five of them.
+std::string RangesText(const std::vector<FrameRange>& ranges);
+
 /// Returns the number of frames that are blurred: their details are coarser than those of the
 /// sharpest tenth of the frames by a factor of 1.7 or more.
 int CountBlurredFrames(const Trajectory& trajectory);

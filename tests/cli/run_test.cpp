@@ -147,9 +147,9 @@ TEST_F(Run, LogsEveryFrame) {
   EXPECT_THAT(table, StartsWith("index,timestamp,state,reason,segment,posed,features,matches,"
                                 "inliers,parallax,masked,window_adjustment,camera_adjustment,"
                                 "keyframe,found_share,image_coverage,distance_sigma,weakest_sigma,"
-                                "image\n0,0.000000000,"));
+                                "drift_sigma,image\n0,0.000000000,"));
   EXPECT_THAT(table, HasSubstr("\n4,0.400000000,"));
-  EXPECT_THAT(table, HasSubstr(",0,0.0000,0.0000,0,0,4.png\n"));
+  EXPECT_THAT(table, HasSubstr(",0,0.0000,0.0000,0,0,0,4.png\n"));
   EXPECT_EQ(CountLines(ReadText(result_ / "timing.csv")), 6);
   const nlohmann::json summary = Summary();
   EXPECT_EQ(summary["frames"], 5);

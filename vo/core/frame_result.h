@@ -67,6 +67,9 @@ struct PoseHealth {
   /// translation in units of the landmarks' median distance and rotation in rad: the square root of
   /// the largest eigenvalue of that covariance.
   double weakest_sigma = 0;
+  /// Standard deviation of the position after the alignment of the whole segment, in its unit; see
+  /// ExpectedDrift(). 0 until the sequence is finished.
+  double drift_sigma = 0;
 };
 
 /// The outcome of one input frame, except for its pose.

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "vo/offline/expected_drift.h"
+
+#include <cmath>
+#include <map>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+
+namespace corvo {
+namespace {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix7 = PoseGraphEdge::Matrix7;
+
+/// An infinitesimal similarity: how it moves the point q.
+struct Motion {
+  Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
+  double stretch = 0;
+
+  Vector3 At(const Vector3& q) const { return shift + turn.cross(q) + stretch * q; }
+};
+
+/// Returns a factor L of the covariance: L L^T = C.
+Matrix7 RootOf(const Matrix7& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Matrix7> solver(covariance);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+/// The keyframes of one segment and the errors between them.
+class Chain {
+ public:
+  void AddVertex(std::size_t index, const SE3& pose) {
+    vertices_.push_back(index);
+    poses_.push_back(pose);
+  }
+
+  /// Adds the error of the newest vertex relative to the one before it.
+  void AddError(const Matrix7& covariance) {
+    errors_.push_back({vertices_.size() - 1, RootOf(covariance)});
+  }
+
+  void Solve(std::vector<double>& sigmas) {
+    Center();
+    std::vector<double> variances(poses_.size(), 0);
+    for (const Error& error : errors_) {
+      for (int column = 0; column < 7; ++column) Add(error, column, variances);
+    }
+    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+      sigmas[vertices_[k]] = std::sqrt(variances[k]);
+    }
+  }
+
+ private:
+  struct Error {
+    std::size_t vertex = 0;  ///< It moves this vertex and all that follow.
+    Matrix7 root;
+  };
+
+  void Center() {
+    Vector3 mean = Vector3::Zero();
+    for (const SE3& pose : poses_) mean += pose.translation() / static_cast<double>(poses_.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const SE3& pose : poses_) {
+      positions_.push_back(pose.translation() - mean);
+      moments += positions_.back() * positions_.back().transpose();
+    }
+    square_sum_ = moments.trace();
+    // A straight path does not determine the rotation about itself.
+    turn_from_torque_ = (square_sum_ * Eigen::Matrix3d::Identity() - moments)
+                            .completeOrthogonalDecomposition()
+                            .pseudoInverse();
+  }
+
+  /// Adds the variances due to one column of an error's root.
+  void Add(const Error& error, int column, std::vector<double>& variances) const {
+    const Motion motion = MotionOf(error, column);
+    const Motion aligned = FitTo(motion, error.vertex);
+    for (std::size_t k = 0; k < positions_.size(); ++k) {
+      Vector3 moved = -aligned.At(positions_[k]);
+      if (k >= error.vertex) moved += motion.At(positions_[k]);
+      variances[k] += moved.squaredNorm();
+    }
+  }
+
+  /// Returns how an error [υ ω λ] in the axes of its vertex moves what follows.
+  Motion MotionOf(const Error& error, int column) const {
+    const SO3& rotation = poses_[error.vertex].rotation();
+    const Vector3& origin = positions_[error.vertex];
+    Motion motion;
+    motion.turn = rotation * Vector3(error.root.block<3, 1>(3, column));
+    motion.stretch = error.root(6, column);
+    motion.shift = rotation * Vector3(error.root.block<3, 1>(0, column)) -
+                   motion.turn.cross(origin) - motion.stretch * origin;
+    return motion;
+  }
+
+  /// Returns the motion of all positions that is nearest to `motion` of those from `first` on.
+  Motion FitTo(const Motion& motion, std::size_t first) const {
+    Vector3 sum = Vector3::Zero(), torque = Vector3::Zero();
+    double divergence = 0;
+    for (std::size_t k = first; k < positions_.size(); ++k) {
+      const Vector3 moved = motion.At(positions_[k]);
+      sum += moved;
+      torque += positions_[k].cross(moved);
+      divergence += positions_[k].dot(moved);
+    }
+    Motion fit;
+    fit.shift = sum / static_cast<double>(positions_.size());
+    fit.turn = turn_from_torque_ * torque;
+    fit.stretch = square_sum_ > 0 ? divergence / square_sum_ : 0;
+    return fit;
+  }
+
+  std::vector<std::size_t> vertices_;
+  std::vector<SE3> poses_;
+  std::vector<Error> errors_;
+  std::vector<Vector3> positions_;  // Relative to their mean.
+  double square_sum_ = 0;
+  Eigen::Matrix3d turn_from_torque_ = Eigen::Matrix3d::Zero();
+};
+
+/// Returns the covariances of the keyframes relative to the ones before them. All edges of a
+/// keyframe to earlier ones share its observations, so that the covariance of each counts as many
+/// times; see PoseGraph.
+std::map<KeyframeId, Matrix7> ErrorsOf(const PoseGraph& graph) {
+  std::map<KeyframeId, int> num_edges;
+  std::map<KeyframeId, const PoseGraphEdge*> newest;
+  for (const PoseGraphEdge& edge : graph.edges) {
+    ++num_edges[edge.second];
+    newest[edge.second] = &edge;  // Edges are in ascending order of `first`.
+  }
+  std::map<KeyframeId, Matrix7> errors;
+  for (const auto& [keyframe, edge] : newest) {
+    errors[keyframe] = edge->covariance / num_edges[keyframe];
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<double> ExpectedDrift(const PoseGraph& graph) {
+  const std::map<KeyframeId, Matrix7> errors = ErrorsOf(graph);
+  std::map<int, Chain> chains;  // By segment.
+  for (std::size_t i = 0; i < graph.vertices.size(); ++i) {
+    const PoseGraphVertex& vertex = graph.vertices[i];
+    Chain& chain = chains[vertex.segment];
+    chain.AddVertex(i, vertex.world_from_camera);
+    const auto error = errors.find(vertex.keyframe);
+    if (error != errors.end()) chain.AddError(error->second);
+  }
+  std::vector<double> sigmas(graph.vertices.size(), 0);
+  for (auto& [segment, chain] : chains) chain.Solve(sigmas);
+  return sigmas;
+}
+
+void SetExpectedDrift(const PoseGraph& graph, Trajectory& trajectory) {
+  const std::vector<double> sigmas = ExpectedDrift(graph);
+  std::map<int, std::map<int, double>> by_frame;  // Of each segment.
+  for (std::size_t i = 0; i < sigmas.size(); ++i) {
+    by_frame[graph.vertices[i].segment][graph.vertices[i].frame] = sigmas[i];
+  }
+  for (FrameResult& frame : trajectory.frames) {
+    const auto sigmas_of_segment = by_frame.find(frame.segment);
+    if (!frame.world_from_camera || sigmas_of_segment == by_frame.end()) continue;
+    auto keyframe = sigmas_of_segment->second.upper_bound(frame.index);
+    if (keyframe != sigmas_of_segment->second.begin()) --keyframe;
+    frame.health.drift_sigma = keyframe->second;
+  }
+}
+
+double ExpectedAte(const Trajectory& trajectory) {
+  double sum = 0;
+  int count = 0;
+  for (const FrameResult& frame : trajectory.frames) {
+    if (!frame.world_from_camera) continue;
+    sum += frame.health.drift_sigma * frame.health.drift_sigma;
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / count);
+}
+
+}  // namespace corvo
