@@ -64,7 +64,9 @@ std::vector<StreamOpener> OpenersOf(const CalibrateArguments& arguments) {
                               input.string()));
     }
     openers.push_back(ToStreamOpener([input, &arguments] {
-      ImageSource source = OpenImages(input.string(), arguments.stored, arguments.selection);
+      InputOptions stored = arguments.stored;
+      stored.reads_camera = false;
+      ImageSource source = OpenImages(input.string(), stored, arguments.selection);
       const cv::Size size = source.First().image.size();
       source.Prepare({size, size, MaskSource()});
       return source;

@@ -84,7 +84,7 @@ std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::pat
 
 bool IsEurocSequence(const fs::path& input) { return !CameraFolder(input).empty(); }
 
-ImageList ListEurocImages(const fs::path& input) {
+ImageList ListEurocImages(const fs::path& input, const InputOptions& options) {
   ImageList list{"euroc", {}, {}};
   const fs::path folder = CameraFolder(input);
   if (fs::exists(folder / kList)) {
@@ -92,7 +92,9 @@ ImageList ListEurocImages(const fs::path& input) {
   } else {
     AddUnlistedImages(folder, list);
   }
-  if (!list.images.empty()) list.camera = FindCamera(folder, list.images.front().file);
+  if (options.reads_camera && !list.images.empty()) {
+    list.camera = FindCamera(folder, list.images.front().file);
+  }
   return list;
 }
 

@@ -21,14 +21,14 @@ ImageList ListKittiImages(const std::filesystem::path& input, const InputOptions
 /// or that folder, or its `data`, with `timestamps.txt` beside it, and the calibration in
 /// `calib_cam_to_cam.txt` beside the drive.
 bool IsKittiRawSequence(const std::filesystem::path& input);
-ImageList ListKittiRawImages(const std::filesystem::path& input);
+ImageList ListKittiRawImages(const std::filesystem::path& input, const InputOptions& options);
 
 /// The EuRoC layout: a `mav0` folder, its parent, or one of its camera folders, of which `cam0`
 /// precedes `cam1`. It has the images in `data`, listed in `data.csv` or else with their times in
 /// ns as names, and the calibration in `sensor.yaml` (EuRoC) or in `dso/camchain.yaml` beside
 /// `mav0` (TUM-VI).
 bool IsEurocSequence(const std::filesystem::path& input);
-ImageList ListEurocImages(const std::filesystem::path& input);
+ImageList ListEurocImages(const std::filesystem::path& input, const InputOptions& options);
 
 /// The TUM RGB-D layout: `rgb.txt` with a timestamp in seconds and a file name per line, or else
 /// `associations.txt`, which has those of a depth image in the same line before or behind (also
@@ -39,7 +39,7 @@ ImageList ListTumImages(const std::filesystem::path& input);
 /// The TUM-mono layout: `times.txt` (per line: image name, timestamp in seconds, exposure),
 /// `images`, `camera.txt`.
 bool IsTumMonoSequence(const std::filesystem::path& input);
-ImageList ListTumMonoImages(const std::filesystem::path& input);
+ImageList ListTumMonoImages(const std::filesystem::path& input, const InputOptions& options);
 
 /// The TartanAir layout: `image_left` and `pose_left.txt`. All its sequences have the same camera.
 bool IsTartanAirSequence(const std::filesystem::path& input);

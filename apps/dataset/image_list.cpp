@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 
 ImageList ListByLayout(const fs::path& input, const InputOptions& options) {
   if (IsKittiSequence(input)) return ListKittiImages(input, options);
-  if (IsKittiRawSequence(input)) return ListKittiRawImages(input);
-  if (IsEurocSequence(input)) return ListEurocImages(input);
+  if (IsKittiRawSequence(input)) return ListKittiRawImages(input, options);
+  if (IsEurocSequence(input)) return ListEurocImages(input, options);
   if (IsTumSequence(input)) return ListTumImages(input);
-  if (IsTumMonoSequence(input)) return ListTumMonoImages(input);
+  if (IsTumMonoSequence(input)) return ListTumMonoImages(input, options);
   if (IsTartanAirSequence(input)) return ListTartanAirImages(input, options);
   return ListFolderImages(input, options);
 }

@@ -24,13 +24,15 @@ struct ImageList {
   std::optional<CameraParameters> camera;  ///< The dataset's calibration, if any; valid.
 };
 
-/// How images get their times, and 16-bit ones their gray levels.
+/// How images get their times and their camera, and 16-bit ones their gray levels.
 struct InputOptions {
   std::optional<double> frame_rate_hz;  ///< Of images without times; replaces times in file names.
   double default_frame_rate_hz = 30;    ///< The same if `frame_rate_hz` is not given.
   std::filesystem::path times;          ///< A file of times that replace all others; see
                                         ///< ReadImageTimes().
   std::optional<int> bits;              ///< Used bits of 16-bit images; found if not given.
+  bool reads_camera = true;             ///< Whether the dataset's calibration is read, which may be
+                                        ///< missing or malformed if another camera replaces it.
 };
 
 /// Recognizes the layout of a folder by its files, or interprets `input` as a file name pattern,

@@ -55,7 +55,7 @@ std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::pat
 
 bool IsKittiRawSequence(const fs::path& input) { return !CameraFolder(input).empty(); }
 
-ImageList ListKittiRawImages(const fs::path& input) {
+ImageList ListKittiRawImages(const fs::path& input, const InputOptions& options) {
   const fs::path folder = CameraFolder(input);
   const std::vector<fs::path> files = ImageFilesIn(folder / kImages);
   const fs::path times_file = folder / kKittiRawTimes;
@@ -63,7 +63,7 @@ ImageList ListKittiRawImages(const fs::path& input) {
   CheckNumTimes(times_file, times.size(), folder / kImages, files.size());
   ImageList list{"kitti-raw", {}, {}};
   AddTimedImages(files, times, list);
-  if (!files.empty()) list.camera = FindCamera(folder, files.front());
+  if (options.reads_camera && !files.empty()) list.camera = FindCamera(folder, files.front());
   return list;
 }
 

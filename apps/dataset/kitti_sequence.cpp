@@ -63,7 +63,7 @@ ImageList ListKittiImages(const fs::path& input, const InputOptions& options) {
   } else {
     AddIndexTimes(files, options, list);
   }
-  if (fs::exists(input / kCalibration)) {
+  if (options.reads_camera && fs::exists(input / kCalibration)) {
     list.camera = ReadDatasetCamera(input / kCalibration, rig_camera.row, files.front());
   }
   return list;

@@ -38,7 +38,7 @@ bool IsTumMonoSequence(const fs::path& input) {
          (fs::is_directory(input / kFolder) || fs::exists(input / "images.zip"));
 }
 
-ImageList ListTumMonoImages(const fs::path& input) {
+ImageList ListTumMonoImages(const fs::path& input, const InputOptions& options) {
   const fs::path folder = input / kFolder;
   if (!fs::is_directory(folder)) {
     throw Error(fmt::format("{0}/images.zip: unpack it into {0}/images", input.string()));
@@ -52,7 +52,8 @@ ImageList ListTumMonoImages(const fs::path& input) {
     list.images.push_back({files[i], ParseRow(lines[i], files[i], times)});
   }
   const bool has_camera = !files.empty() && fs::exists(input / kCamera);
-  if (has_camera) list.camera = ReadDatasetCamera(input / kCamera, "", files.front());
+  if (options.reads_camera && has_camera)
+    list.camera = ReadDatasetCamera(input / kCamera, "", files.front());
   return list;
 }
 

@@ -34,8 +34,14 @@ std::optional<StatedCamera> ReadGivenCamera(const RunArguments& arguments) {
   return std::move(file.camera);
 }
 
+/// Returns whether an option replaces the calibration of the dataset.
+bool ReplacesCamera(const RunArguments& arguments) {
+  return !arguments.camera.empty() || !arguments.focal.empty() || arguments.fov_deg;
+}
+
 InputOptions OptionsOf(const RunArguments& arguments, const std::optional<StatedCamera>& camera) {
   InputOptions options = arguments.stored;
+  options.reads_camera = !ReplacesCamera(arguments);
   if (camera && camera->frame_rate_hz) options.default_frame_rate_hz = *camera->frame_rate_hz;
   return options;
 }

@@ -24,6 +24,7 @@ using ::testing::Not;
 
 constexpr int kBadInput = 1;
 constexpr int kNeverInitialized = 2;
+constexpr int kNotCalibrated = 2;
 
 class NamedCamera : public testing::Test {
  protected:
@@ -172,6 +173,77 @@ TEST(Datasets, OfKittiRawHaveTheCameraOfTheFolderAndImageSize) {
   EXPECT_EQ(ListImages(images).camera->k1, -0.3);
   WriteText(file, calibration("90 60", "100 70"));
   EXPECT_EQ(ListImages(images).camera->width, 90) << "of other size than the images";
+}
+
+/// Writes a sequence whose calibration is malformed, in a layout of which corvo reads one.
+fs::path WriteUncalibrated(const std::string& layout, const TempFolder& folder) {
+  if (layout == "kitti") {
+    WriteKitti(folder.path(), 2);
+    WriteText(folder / "calib.txt", "P0: 80 0 47.5 0 0 eighty 31.5 0 0 0 1 0\n");
+    return folder.path();
+  }
+  if (layout == "euroc") {
+    WriteEuroc(folder / "mav0", 2);
+    WriteText(folder / "mav0/cam0/sensor.yaml", "intrinsics: [80, eighty, 47, 31]\n");
+    return folder.path();
+  }
+  const bool is_raw = layout == "kitti-raw";
+  const fs::path sequence = folder / (is_raw ? "2011_09_26/drive" : "mono");
+  const fs::path images = sequence / (is_raw ? "image_00/data" : "images");
+  for (const int i : {0, 1}) WriteImage(images / fmt::format("{}.png", i), TinyImage(i));
+  if (is_raw) {
+    WriteText(images.parent_path() / "timestamps.txt",
+              "2011-09-26 13:02:25\n2011-09-26 13:02:26\n");
+    WriteText(folder / "2011_09_26/calib_cam_to_cam.txt", "P_rect_00: eighty\n");
+  } else {
+    WriteText(sequence / "times.txt", "0 1.0 1\n1 1.1 1\n");
+    WriteText(sequence / "camera.txt", "eighty\n");
+  }
+  return sequence;
+}
+
+/// Parameters: the layout of a dataset and the name of its calibration.
+class MalformedCalibration : public testing::TestWithParam<std::pair<const char*, const char*>> {
+ protected:
+  MalformedCalibration() {
+    arguments_.input = WriteUncalibrated(GetParam().first, folder_);
+    arguments_.output = folder_ / "result";
+  }
+
+  TempFolder folder_;
+  RunArguments arguments_;
+};
+
+TEST_P(MalformedCalibration, OfADatasetIsAnError) {
+  EXPECT_THAT(ErrorOf([&] { ReadInputs(arguments_, Interruption()); }),
+              HasSubstr(GetParam().second));
+}
+
+TEST_P(MalformedCalibration, IsNotReadIfAnotherCameraReplacesIt) {
+  WriteText(folder_ / "camera", "80 81 47 31\n");
+  arguments_.camera = folder_ / "camera";
+  const RunInputs given = ReadInputs(arguments_, Interruption());
+  EXPECT_EQ(given.camera.given.fx, 80);
+  EXPECT_EQ(given.source.list().layout, GetParam().first);
+  arguments_.camera.clear();
+  arguments_.focal = "90";
+  EXPECT_EQ(ReadInputs(arguments_, Interruption()).camera.given.fx, 90);
+  arguments_.focal.clear();
+  arguments_.fov_deg = 60;
+  EXPECT_NO_THROW(ReadInputs(arguments_, Interruption()));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfLayout, MalformedCalibration,
+                         testing::Values(std::pair("kitti", "calib.txt"),
+                                         std::pair("kitti-raw", "calib_cam_to_cam.txt"),
+                                         std::pair("euroc", "sensor.yaml"),
+                                         std::pair("tum-mono", "camera.txt")));
+
+TEST(Datasets, MalformedCalibrationIsNotReadForACalibrationFromTheImages) {
+  const TempFolder folder;
+  const CommandResult result =
+      RunCorvo({"calibrate", WriteUncalibrated("kitti", folder), "-o", folder / "found.yaml"});
+  EXPECT_EQ(result.exit_code, kNotCalibrated) << result.err;
 }
 
 TEST(Datasets, OfTheRightTumViCameraHaveItsCalibration) {
