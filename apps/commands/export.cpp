@@ -59,7 +59,9 @@ Exported ExportSegment(const ExportArguments& arguments, const RunResult& result
   Exported exported{MakeReconstruction(result, segment, frames), std::nullopt};
   SelectPoints(arguments.points, exported.reconstruction);
   // The points of a video were given their colors during the run.
-  if (!result.image_folder.empty()) ColorPoints(result.image_folder, exported.reconstruction);
+  if (!result.image_folder.empty()) {
+    ColorPoints(result.image_folder, result.gray_levels, exported.reconstruction);
+  }
   if (arguments.undistorts) {
     exported.undistortion.emplace(Camera(result.camera));
     exported.undistortion->Apply(exported.reconstruction);

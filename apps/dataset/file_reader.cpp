@@ -30,7 +30,7 @@ GrayLevels FindGrayLevels(const std::vector<TimedFile>& files) {
 class FileReader : public ImageReader {
  public:
   FileReader(std::vector<TimedFile> files, std::optional<int> bits) : files_(std::move(files)) {
-    if (bits) levels_ = GrayLevels(*bits);
+    if (bits) stated_ = GrayLevels(*bits);
   }
 
   std::optional<TimedImage> Read() override {
@@ -46,16 +46,19 @@ class FileReader : public ImageReader {
     return true;
   }
 
+  std::optional<GrayLevels> gray_levels() const override { return levels_; }
+
  private:
   cv::Mat ReadByteGray(const std::filesystem::path& file) {
     const cv::Mat image = ReadStoredGray(file);
     if (image.depth() != CV_16U) return image;
-    if (!levels_) levels_ = FindGrayLevels(files_);
+    if (!levels_) levels_ = stated_ ? *stated_ : FindGrayLevels(files_);
     return levels_->ToByte(image);
   }
 
   std::vector<TimedFile> files_;
-  std::optional<GrayLevels> levels_;  ///< Set by --bits or with the first 16-bit image.
+  std::optional<GrayLevels> stated_;  ///< By --bits.
+  std::optional<GrayLevels> levels_;  ///< Set with the first 16-bit image.
   std::size_t next_ = 0;
 };
 

@@ -98,8 +98,7 @@ cv::Mat ReadImage(const fs::path& file, int flags) {
   return image;
 }
 
-/// Converts color to gray of the same depth.
-cv::Mat WithoutColor(const cv::Mat& image, const std::string& name) {
+void CheckType(const cv::Mat& image, const std::string& name) {
   const int channels = image.channels();
   if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U) ||
       (channels != 1 && channels != 3 && channels != 4)) {
@@ -107,6 +106,12 @@ cv::Mat WithoutColor(const cv::Mat& image, const std::string& name) {
         fmt::format("{}: images of type {} are not supported, only 8 and 16 bits, gray or color",
                     name, cv::typeToString(image.type())));
   }
+}
+
+/// Converts color to gray of the same depth.
+cv::Mat WithoutColor(const cv::Mat& image, const std::string& name) {
+  CheckType(image, name);
+  const int channels = image.channels();
   cv::Mat gray = image;
   if (channels > 1) {
     cv::cvtColor(image, gray, channels == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
@@ -128,6 +133,14 @@ cv::Mat ReadGrayImage(const fs::path& file, const GrayLevels& levels) {
   return levels.ToByte(ReadStoredGray(file));
 }
 
-cv::Mat ReadColorImage(const fs::path& file) { return ReadImage(file, cv::IMREAD_COLOR); }
+cv::Mat ReadStoredColor(const fs::path& file) {
+  const cv::Mat image = ReadImage(file, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+  CheckType(image, file.string());
+  return image;
+}
+
+cv::Mat ReadColorImage(const fs::path& file, const GrayLevels& levels) {
+  return levels.ToByte(ReadStoredColor(file));
+}
 
 }  // namespace corvo

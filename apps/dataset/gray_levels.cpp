@@ -14,15 +14,20 @@ constexpr int kNumLevels = 1 << 16;
 
 }  // namespace
 
-GrayLevels::GrayLevels(int bits) : levels_(kNumLevels), text_(fmt::format("{} bits", bits)) {
+GrayLevels::GrayLevels(int bits)
+    : levels_(kNumLevels), bits_(bits), text_(fmt::format("{} bits", bits)) {
   CheckRange("bits", bits, 8, 16);
+  high_ = (1 << bits) - 1;
   for (int level = 0; level < kNumLevels; ++level) {
     levels_[level] = static_cast<std::uint8_t>(std::min(level >> (bits - 8), 255));
   }
 }
 
 GrayLevels::GrayLevels(int low, int high)
-    : levels_(kNumLevels), text_(fmt::format("levels {} to {}", low, high)) {
+    : levels_(kNumLevels),
+      low_(low),
+      high_(high),
+      text_(fmt::format("levels {} to {}", low, high)) {
   const int span = std::max(high - low, 1);
   for (int level = 0; level < kNumLevels; ++level) {
     const int above = std::clamp(level - low, 0, span);
@@ -32,10 +37,11 @@ GrayLevels::GrayLevels(int low, int high)
 
 cv::Mat GrayLevels::ToByte(const cv::Mat& image) const {
   if (image.depth() != CV_16U) return image;
-  cv::Mat bytes(image.size(), CV_8UC1);
+  cv::Mat bytes(image.size(), CV_8UC(image.channels()));
+  const int row_size = image.cols * image.channels();
   for (int y = 0; y < image.rows; ++y) {
     const auto* const row = image.ptr<std::uint16_t>(y);
-    std::transform(row, row + image.cols, bytes.ptr<std::uint8_t>(y),
+    std::transform(row, row + row_size, bytes.ptr<std::uint8_t>(y),
                    [this](std::uint16_t level) { return Of(level); });
   }
   return bytes;

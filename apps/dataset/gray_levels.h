@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,23 @@ class GrayLevels {
 
   std::uint8_t Of(std::uint16_t level) const { return levels_[level]; }
 
-  /// Converts a 16-bit gray image; returns an 8-bit one as it is.
+  /// Converts a 16-bit image, each channel alike; returns an 8-bit one as it is.
   cv::Mat ToByte(const cv::Mat& image) const;
 
   /// Describes the map, such as "12 bits" or "levels 6900 to 8600".
   const std::string& text() const { return text_; }
 
+  /// The number of bits, or std::nullopt for a map of two levels.
+  std::optional<int> bits() const { return bits_; }
+  /// The levels that are mapped to 0 and 255.
+  int low() const { return low_; }
+  int high() const { return high_; }
+
  private:
   std::vector<std::uint8_t> levels_;  ///< By 16-bit level.
+  std::optional<int> bits_;
+  int low_ = 0;
+  int high_ = 0;
   std::string text_;
 };
 

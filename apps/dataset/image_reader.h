@@ -49,6 +49,9 @@ class ImageReader {
 
   /// Returns std::nullopt unless this is a video file.
   virtual std::optional<VideoFrames> video_frames() const { return std::nullopt; }
+
+  /// Returns how 16-bit images became 8-bit ones, or std::nullopt if none was read.
+  virtual std::optional<GrayLevels> gray_levels() const { return std::nullopt; }
 };
 
 /// Opens image files. Of 16-bit images, `bits` (8 to 16) are used, of which the upper eight are
@@ -78,8 +81,11 @@ cv::Mat ReadStoredGray(const std::filesystem::path& file);
 /// Like ReadStoredGray(), but as 8-bit gray.
 cv::Mat ReadGrayImage(const std::filesystem::path& file, const GrayLevels& levels = GrayLevels());
 
-/// Reads an image as 8-bit BGR. Throws corvo::Error like ReadGrayImage().
-cv::Mat ReadColorImage(const std::filesystem::path& file);
+/// Like ReadStoredGray(), but as 8- or 16-bit BGR.
+cv::Mat ReadStoredColor(const std::filesystem::path& file);
+
+/// Like ReadStoredColor(), but as 8-bit BGR.
+cv::Mat ReadColorImage(const std::filesystem::path& file, const GrayLevels& levels);
 
 /// Converts a decoded image to 8-bit gray, of 16 bits the upper eight. It must have 8 or 16 bits
 /// and one, three (BGR) or four (BGRA) channels; for any other image, throws a corvo::Error whose

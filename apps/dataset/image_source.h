@@ -69,6 +69,8 @@ class ImageSource {
   const ImageList& list() const { return list_; }
   /// Returns std::nullopt unless this is a video file.
   std::optional<VideoFrames> video_frames() const { return reader_->video_frames(); }
+  /// Returns how 16-bit images became 8-bit ones, or std::nullopt if none was read.
+  std::optional<GrayLevels> gray_levels() const { return reader_->gray_levels(); }
 
  private:
   std::optional<TimedImage> ReadNext();

@@ -8,6 +8,7 @@
 
 #include "apps/dataset/image_reader.h"
 #include "apps/output/durable_file.h"
+#include "apps/output/file_extension.h"
 #include "apps/output/image_file.h"
 #include "orb/error.h"
 
@@ -19,21 +20,22 @@ namespace fs = std::filesystem;
 /// The conversion of input images to exported ones.
 class Exporter {
  public:
-  Exporter(const CameraParameters& camera, const std::optional<Undistortion>& undistortion,
-           fs::path folder)
+  Exporter(const CameraParameters& camera, const GrayLevels& levels,
+           const std::optional<Undistortion>& undistortion, fs::path folder)
       : size_(camera.width, camera.height),
+        levels_(levels),
         undistortion_(undistortion),
         folder_(std::move(folder)) {}
 
   void ExportFile(const fs::path& file, const std::string& name) const {
-    const cv::Mat image = ReadColorImage(file);
-    if (!undistortion_ && image.size() == size_) {
+    const cv::Mat image = ReadStoredColor(file);
+    if (!undistortion_ && image.size() == size_ && image.depth() == CV_8U) {
       const fs::path target = Prepare(name);
       std::error_code error;
       fs::copy_file(file, target, fs::copy_options::overwrite_existing, error);
       if (error) throw Error(fmt::format("{}: {}", target.string(), error.message()));
     } else {
-      Write(image, name);
+      Write(levels_.ToByte(image), name);
     }
   }
 
@@ -42,6 +44,8 @@ class Exporter {
     if (image.size() != size_) cv::resize(image, exported, size_, 0, 0, cv::INTER_AREA);
     if (undistortion_) exported = undistortion_->Apply(exported);
     const fs::path target = Prepare(name);
+    const bool is_gray = LowerExtension(target) == ".pgm";  // That form holds no color.
+    if (is_gray) cv::cvtColor(exported, exported, cv::COLOR_BGR2GRAY);
     WriteFile(target, EncodeImage(exported, target.extension().string()));
   }
 
@@ -54,6 +58,7 @@ class Exporter {
   }
 
   cv::Size size_;
+  const GrayLevels& levels_;
   const std::optional<Undistortion>& undistortion_;
   fs::path folder_;
 };
@@ -82,7 +87,7 @@ void ExportVideo(const RunResult& result, const Reconstruction& reconstruction,
 
 void ExportImages(const RunResult& result, const Reconstruction& reconstruction,
                   const std::optional<Undistortion>& undistortion, const fs::path& folder) {
-  const Exporter exporter(reconstruction.camera, undistortion, folder);
+  const Exporter exporter(reconstruction.camera, result.gray_levels, undistortion, folder);
   if (!result.video.empty()) {
     ExportVideo(result, reconstruction, exporter);
     return;

@@ -12,9 +12,9 @@ namespace corvo {
 namespace {
 
 /// Returns an empty image if the file cannot be read.
-cv::Mat TryReadColorImage(const std::filesystem::path& file) {
+cv::Mat TryReadColorImage(const std::filesystem::path& file, const GrayLevels& levels) {
   try {
-    return ReadColorImage(file);
+    return ReadColorImage(file, levels);
   } catch (const Error&) {
     return {};
   }
@@ -22,13 +22,14 @@ cv::Mat TryReadColorImage(const std::filesystem::path& file) {
 
 }  // namespace
 
-void ColorPoints(const std::filesystem::path& folder, Reconstruction& reconstruction) {
+void ColorPoints(const std::filesystem::path& folder, const GrayLevels& levels,
+                 Reconstruction& reconstruction) {
   const cv::Size size(reconstruction.camera.width, reconstruction.camera.height);
   std::vector<bool> is_colored(reconstruction.points.size(), false);
   for (const ReconstructedImage& image : reconstruction.images) {
     const auto is_new = [&](const PointObservation& o) { return !is_colored[o.point]; };
     if (std::ranges::none_of(image.observations, is_new)) continue;
-    const cv::Mat pixels = TryReadColorImage(folder / image.name);
+    const cv::Mat pixels = TryReadColorImage(folder / image.name, levels);
     if (pixels.empty()) continue;
     for (const PointObservation& o : image.observations) {
       if (!is_new(o)) continue;

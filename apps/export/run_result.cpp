@@ -41,6 +41,30 @@ nlohmann::json ReadSummary(const fs::path& file) {
   return summary;
 }
 
+/// Returns an integer member of summary.json's gray_levels.
+int LevelOf(const nlohmann::json& levels, const char* name, const std::string& where) {
+  const auto member = levels.find(name);
+  if (member == levels.end() || !member->is_number_integer()) {
+    throw Error(fmt::format("{} has no integer \"{}\"", where, name));
+  }
+  const auto level = member->get<std::int64_t>();
+  CheckRange(where + "." + name, level, std::int64_t{0}, std::int64_t{65535});
+  return static_cast<int>(level);
+}
+
+/// Returns how the run converted 16-bit images; older results do not say so.
+GrayLevels ReadGrayLevels(const nlohmann::json& summary, const fs::path& file) {
+  const auto levels = summary.find("gray_levels");
+  if (levels == summary.end()) return GrayLevels();
+  const std::string where = file.string() + ": gray_levels";
+  if (!levels->contains("bits")) {
+    return {LevelOf(*levels, "low", where), LevelOf(*levels, "high", where)};
+  }
+  const int bits = LevelOf(*levels, "bits", where);
+  CheckRange(where + ".bits", bits, 8, 16);
+  return GrayLevels(bits);
+}
+
 /// Joins the rows of frames.csv with the poses, which are in the same order.
 std::vector<ResultFrame> ReadFrames(const fs::path& folder) {
   const PoseSequence poses = ReadTum(folder / "trajectory.tum");
@@ -88,6 +112,7 @@ RunResult ReadRunResult(const fs::path& folder) {
   RunResult result;
   result.image_folder = PathOf(summary, "image_folder", file);
   result.video = PathOf(summary, "video", file);
+  result.gray_levels = ReadGrayLevels(summary, file);
   result.camera = ReadCameraFile(folder / "camera_estimated.yaml").camera.parameters();
   result.frames = ReadFrames(folder);
   result.points = ReadMapPly(folder / "map.ply");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/dataset/gray_levels.h"
 #include "apps/export/reconstruction.h"
 #include "apps/output/map_ply.h"
 #include "apps/output/observation_table.h"
@@ -26,6 +27,7 @@ struct RunResult {
   CameraParameters camera;             ///< Of the processed images.
   std::filesystem::path image_folder;  ///< Folder of the images; empty for a video or a camera.
   std::filesystem::path video;         ///< The video; empty for image files.
+  GrayLevels gray_levels;              ///< How 16-bit images became 8-bit ones.
   std::vector<ResultFrame> frames;
   std::vector<MapPoint> points;
   std::vector<ObservationRow> observations;

@@ -120,9 +120,13 @@ Json PathOrNull(const std::filesystem::path& path) {
   return path.empty() ? Json() : Json(path.string());
 }
 
+Json ToJson(const GrayLevels& levels) {
+  if (levels.bits()) return {{"bits", *levels.bits()}};
+  return {{"low", levels.low()}, {"high", levels.high()}};
+}
+
 /// Adds where the images come from, and those of --start, --every, --count, --resize, --mask,
-/// --fps,
-/// --times and --bits that were given.
+/// --fps, --times and --bits that were given.
 void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json& json) {
   const std::filesystem::path& input = arguments.input;
   const ImageNames names(input, source.list());
@@ -140,6 +144,7 @@ void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json
   if (stored.frame_rate_hz) json["fps"] = *stored.frame_rate_hz;
   if (!stored.times.empty()) json["times"] = stored.times.string();
   if (stored.bits) json["bits"] = *stored.bits;
+  if (const auto levels = source.gray_levels()) json["gray_levels"] = ToJson(*levels);
 }
 
 /// Returns std::nullopt and logs a warning if there are too few poses to be compared.

@@ -139,7 +139,7 @@ TEST(PointColors, AreThoseOfTheFirstImageThatCanBeRead) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(0, 0, 200));
   image.colRange(160, 320) = cv::Scalar(200, 0, 0);
   ASSERT_TRUE(cv::imwrite((folder.path() / "small.png").string(), image));
-  ColorPoints(folder.path(), reconstruction);
+  ColorPoints(folder.path(), GrayLevels(), reconstruction);
   using Rgb = std::array<std::uint8_t, 3>;
   EXPECT_EQ(reconstruction.points[0].rgb, (Rgb{200, 0, 0}));  // At x = 269.5.
   EXPECT_EQ(reconstruction.points[1].rgb, (Rgb{0, 0, 200}));  // At x = 361.

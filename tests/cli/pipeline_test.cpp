@@ -10,10 +10,13 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/dataset/image_source.h"
+#include "apps/export/run_result.h"
 #include "apps/output/map_ply.h"
 #include "apps/output/observation_table.h"
 #include "apps/synthetic/sequence.h"
 #include "tests/cli/command.h"
+#include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
 #include "vo/io/config.h"
@@ -401,6 +404,63 @@ TEST_F(Pipeline, AResultIsExportedForOtherPrograms) {
   EXPECT_FALSE(fs::exists(images));
   EXPECT_EQ(RunCorvo({"export", Result(), "--to", "colmap", "-o", Street(), "--force"}).exit_code,
             1);
+}
+
+TEST_F(Pipeline, SixteenBitImagesAreExportedAsTheRunSawThem) {
+  struct Stored {
+    int offset, scale;
+    std::string extension;
+  };
+  // 12 bits; the range of a thermal camera.
+  for (const auto& [offset, scale, extension] : {Stored{0, 16, ".png"}, Stored{7000, 6, ".pgm"}}) {
+    const TempFolder folder;
+    cv::Mat stored;
+    for (int i = 0; i < 20; ++i) {
+      const fs::path original = ListImages(Street()).images[i].file;
+      cv::imread(original, cv::IMREAD_GRAYSCALE).convertTo(stored, CV_16U, scale, offset);
+      WriteImage(folder / fmt::format("images/{:02}{}", i, extension), stored);
+    }
+    const fs::path result = folder / "result", model = folder / "model";
+    ASSERT_EQ(RunOn(folder / "images", result, {}).exit_code, kDone);
+    const CommandResult exported =
+        RunCorvo({"export", result, "--to", "colmap", "--images", "--text", "-o", model});
+    ASSERT_EQ(exported.exit_code, kDone) << exported.err;
+    ImageSource source(ListImages(folder / "images"));
+    const cv::Mat seen = source.First().image;
+    EXPECT_GT(cv::mean(seen)[0], 30) << "not dark";
+    EXPECT_EQ(ReadRunResult(result).gray_levels.text(), source.gray_levels()->text());
+    const fs::path written = model / ("images/00" + extension);
+    ASSERT_EQ(cv::imread(written, cv::IMREAD_UNCHANGED).depth(), CV_8U);
+    EXPECT_EQ(cv::norm(cv::imread(written, cv::IMREAD_GRAYSCALE), seen, cv::NORM_INF), 0);
+    // The first image colors the points that it observes.
+    const std::vector<double> observed = NumbersOf(LinesOf(model / "sparse/0/images.txt")[1]);
+    std::map<double, double> red;
+    for (const std::string& line : LinesOf(model / "sparse/0/points3D.txt")) {
+      const std::vector<double> fields = NumbersOf(line);
+      red[fields[0]] = fields[4];
+    }
+    ASSERT_GT(observed.size(), 100u);
+    for (std::size_t k = 0; k + 2 < observed.size(); k += 3) {
+      const cv::Point pixel(static_cast<int>(observed[k]), static_cast<int>(observed[k + 1]));
+      EXPECT_EQ(red.at(observed[k + 2]), seen.at<std::uint8_t>(pixel));
+    }
+  }
+}
+
+TEST_F(Pipeline, GrayLevelsOutOfRangeInASummaryAreAnError) {
+  const TempFolder folder;
+  fs::copy(Result(), folder / "result", fs::copy_options::recursive);
+  const auto error_of = [&](const std::string& levels) {
+    auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+    summary["gray_levels"] = nlohmann::json::parse(levels);
+    WriteText(folder / "result/summary.json", summary.dump());
+    return ErrorOf([&] { ReadRunResult(folder / "result"); });
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(error_of(R"({"bits": 17})"), HasSubstr("summary.json: gray_levels.bits is 17"));
+  EXPECT_THAT(error_of(R"({"low": 1, "high": 65536})"), HasSubstr("high is 65536; allowed is 0"));
+  EXPECT_THAT(error_of(R"({"low": 1})"), HasSubstr("gray_levels has no integer \"high\""));
+  EXPECT_THAT(error_of("12"), HasSubstr("gray_levels has no integer \"low\""));
 }
 
 TEST_F(Pipeline, ColmapReadsAnExportedModelAndHasLittleToImprove) {
