@@ -1,131 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "apps/commands/completion.h"
 
-#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/completion_scripts.h"
 #include "orb/error.h"
 
 namespace corvo {
 namespace {
 
-/// Returns the options that have names and are described, in the order of their addition.
-std::vector<const CLI::Option*> OptionsOf(const CLI::App& app) {
-  return app.get_options([](const CLI::Option* option) {
-    return option->nonpositional() && !option->get_group().empty();
-  });
-}
-
-/// Returns "-o", "--output", ... of an option.
-std::vector<std::string> NamesOf(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
 bool TakesValue(const CLI::Option& option) { return option.get_expected_max() > 0; }
-
-/// Returns a text with a backslash before each of `characters` and itself.
-std::string Escaped(const std::string& text, std::string_view characters) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '\\' || characters.find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
-
-std::string BashScript(const CLI::App& app) {
-  std::string commands, cases;
-  for (const CLI::App* command : CommandsOf(app)) {
-    std::string words;
-    for (const CLI::Option* option : OptionsOf(*command)) {
-      for (const std::string& name : NamesOf(*option)) words += name + " ";
-    }
-    commands += command->get_name() + " ";
-    cases += fmt::format("    {}) words='{}' ;;\n", command->get_name(), words);
-  }
-  return fmt::format(R"(# Completion of corvo for bash.
-_corvo() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} words=
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W '{}--help --version' -- "$current") $(compgen -f -- "$current"))
-    return
-  fi
-  case ${{COMP_WORDS[1]}} in
-{}  esac
-  if [[ $current == -* ]]; then
-    COMPREPLY=($(compgen -W "$words" -- "$current"))
-  else
-    COMPREPLY=($(compgen -f -- "$current"))
-  fi
-}}
-complete -o filenames -F _corvo corvo
-)",
-                     commands, cases);
-}
-
-/// Returns the arguments of zsh's _arguments for a command.
-std::string ZshArguments(const CLI::App& command) {
-  std::string text;
-  for (const CLI::Option* option : OptionsOf(command)) {
-    const std::string value = TakesValue(*option) ? ":value:_files" : "";
-    for (const std::string& name : NamesOf(*option)) {
-      std::string description = Escaped(option->get_description(), "[]:");
-      std::erase(description, '\'');
-      text += fmt::format(" \\\n      '{}[{}]{}'", name, description, value);
-    }
-  }
-  return text;
-}
-
-std::string ZshScript(const CLI::App& app) {
-  std::string commands, cases;
-  for (const CLI::App* command : CommandsOf(app)) {
-    commands += fmt::format(" {}", command->get_name());
-    cases += fmt::format("    {}) _arguments{} \\\n      '*:file:_files' ;;\n", command->get_name(),
-                         ZshArguments(*command));
-  }
-  return fmt::format(R"(#compdef corvo
-# Completion of corvo for zsh.
-_corvo() {{
-  if (( CURRENT == 2 )); then
-    compadd{}
-    _files
-    return
-  fi
-  local command=$words[2]
-  shift words
-  (( CURRENT-- ))
-  case $command in
-{}  esac
-}}
-_corvo "$@"
-)",
-                     commands, cases);
-}
-
-std::string FishScript(const CLI::App& app) {
-  std::string text = "# Completion of corvo for fish.\n";
-  for (const CLI::App* command : CommandsOf(app)) {
-    text += fmt::format("complete -c corvo -n __fish_use_subcommand -a {} -d '{}'\n",
-                        command->get_name(), Escaped(command->get_description(), "'"));
-    for (const CLI::Option* option : OptionsOf(*command)) {
-      text +=
-          fmt::format("complete -c corvo -n '__fish_seen_subcommand_from {}'", command->get_name());
-      for (const std::string& name : option->get_snames()) text += " -s " + name;
-      for (const std::string& name : option->get_lnames()) text += " -l " + name;
-      text += fmt::format("{} -d '{}'\n", TakesValue(*option) ? " -r" : "",
-                          Escaped(option->get_description(), "'"));
-    }
-  }
-  return text;
-}
 
 /// Returns a text for man(7): no line begins with a control character, and backslashes and hyphens
 /// are themselves.
@@ -149,15 +37,8 @@ std::string ManText(const std::string& text) {
 std::string ManOption(const CLI::Option& option) {
   const std::string value = TakesValue(option) ? " " + option.get_type_name() : "";
   return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n",
-                     ManText(fmt::format("{}", fmt::join(NamesOf(option), ", "))), ManText(value),
-                     ManText(option.get_description()));
-}
-
-/// Returns a script that completes the commands and options of the program in a shell: "bash",
-/// "zsh" or "fish".
-std::string CompletionScript(const CLI::App& app, const std::string& shell) {
-  if (shell == "bash") return BashScript(app);
-  return shell == "zsh" ? ZshScript(app) : FishScript(app);
+                     ManText(fmt::format("{}", fmt::join(OptionNames(option), ", "))),
+                     ManText(value), ManText(option.get_description()));
 }
 
 /// Returns the manual page, in the format of man(7), of the program or of one of its commands.

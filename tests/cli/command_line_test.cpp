@@ -50,19 +50,6 @@ TEST(CommandLine, AMisspeltCommandIsAnsweredWithTheNearest) {
                         "is calibrate"));
 }
 
-TEST(CommandLine, CompletionIsUnderstoodByBash) {
-  const auto complete = [](const std::string& words, int current) {
-    const std::string script = fmt::format(
-        "source <({} completion bash); COMP_WORDS=({}); COMP_CWORD={}; _corvo; "
-        "echo \"${{COMPREPLY[@]}}\"",
-        CORVO_COMMAND, words, current);
-    return RunProgram("/bin/bash", {"-c", script}, {"PATH=/usr/bin:/bin"}).out;
-  };
-  EXPECT_EQ(complete("corvo calib", 1), "calibrate\n");
-  EXPECT_EQ(complete("corvo run --meters", 2), "--meters-per-unit\n");
-  EXPECT_EQ(complete("corvo eval --meters", 2), "\n");
-}
-
 TEST(CommandLine, CompletionNamesEveryOptionInEveryShell) {
   for (const char* shell : {"bash", "zsh", "fish"}) {
     const CommandResult result = RunCorvo({"completion", shell});
