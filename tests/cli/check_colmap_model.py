@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Reads a COLMAP model with pycolmap and prints, as JSON, its counts, its reprojection errors, how
 far the errors stated in the model are from them, and what pycolmap's bundle adjustment makes of the
-model: the share of the cost that remains and the largest movement of a camera relative to the path.
+model: the share of the cost that remains, of squared errors and with Huber's loss from 1 px on, and
+for squared errors the largest movement of a camera relative to the path.
 
 usage: check_colmap_model.py MODEL
 """
@@ -11,7 +12,7 @@ import sys
 import numpy as np
 import pycolmap
 
-model = pycolmap.Reconstruction(sys.argv[1])
+model, robust = (pycolmap.Reconstruction(sys.argv[1]) for _ in range(2))
 errors, points = [], {}
 for image in model.images.values():
     for observation in image.points2D:
@@ -28,17 +29,30 @@ def centers():
     return np.array([model.images[i].projection_center() for i in sorted(model.images)])
 
 
-def cost():
-    return sum(float(np.sum((im.project_point(model.points3D[o.point3D_id].xyz) - o.xy) ** 2))
-               for im in model.images.values() for o in im.points2D if o.has_point3D())
+def squared_errors(model):
+    return np.array([np.sum((im.project_point(model.points3D[o.point3D_id].xyz) - o.xy) ** 2)
+                     for im in model.images.values() for o in im.points2D if o.has_point3D()])
 
 
-before, cost_before = centers(), cost()
-options = pycolmap.BundleAdjustmentOptions()
-options.refine_focal_length = options.refine_principal_point = options.refine_extra_params = False
-options.print_summary = False
-pycolmap.bundle_adjustment(model, options)
-after, cost_after = centers(), cost()
+def huber_loss(squared):
+    return np.where(squared <= 1, squared, 2 * np.sqrt(squared) - 1)
+
+
+def adjust(model, loss_type, loss):
+    """Adjusts a model with its camera held fixed. Returns the share of the cost that remains."""
+    options = pycolmap.BundleAdjustmentOptions()
+    options.refine_focal_length = options.refine_principal_point = False
+    options.refine_extra_params = options.print_summary = False
+    options.ceres.loss_function_type = loss_type
+    before = loss(squared_errors(model)).sum()
+    pycolmap.bundle_adjustment(model, options)
+    return float(loss(squared_errors(model)).sum() / before)
+
+
+before = centers()
+cost_ratio = adjust(model, pycolmap.LossFunctionType.TRIVIAL, lambda squared: squared)
+robust_cost_ratio = adjust(robust, pycolmap.LossFunctionType.HUBER, huber_loss)
+after = centers()
 path = np.linalg.norm(np.diff(before, axis=0), axis=1).sum()
 a, b = after - after.mean(0), before - before.mean(0)
 u, s, vt = np.linalg.svd(b.T @ a)
@@ -47,5 +61,5 @@ scale = np.trace(np.diag(s) @ d) / (a ** 2).sum()
 moved = np.linalg.norm(scale * a @ (u @ d @ vt).T - b, axis=1).max() / path
 print(json.dumps({"images": len(model.images), "points": len(model.points3D),
                   "observations": len(errors), "mean_error": float(np.mean(errors)),
-                  "stated": float(stated), "cost_ratio": cost_after / cost_before,
-                  "moved": float(moved)}))
+                  "stated": float(stated), "cost_ratio": cost_ratio,
+                  "robust_cost_ratio": robust_cost_ratio, "moved": float(moved)}))
