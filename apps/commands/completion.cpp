@@ -2,6 +2,8 @@
 #include "apps/commands/completion.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,6 +43,37 @@ std::string ManOption(const CLI::Option& option) {
                      ManText(value), ManText(option.get_description()));
 }
 
+/// Returns what a manual page says of the options and arguments of an app.
+std::string ManOptions(const CLI::App& app) {
+  std::string text;
+  for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
+    if (option->get_group().empty()) continue;
+    if (option->nonpositional()) {
+      text += ManOption(*option);
+    } else {
+      text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", ManText(option->get_name(true)),
+                          ManText(option->get_description()));
+    }
+  }
+  return text;
+}
+
+/// Returns what a manual page says of the commands of an app. Those of the program have pages
+/// `page`-NAME; those of a command have none, and all the same options.
+std::string ManCommands(const CLI::App& app, const std::string& page) {
+  const std::vector<const CLI::App*> commands = CommandsOf(app);
+  if (commands.empty()) return "";
+  const bool have_pages = app.get_parent() == nullptr;
+  std::string text = ".SH COMMANDS\n";
+  for (const CLI::App* command : commands) {
+    const std::string name = (have_pages ? page + "-" : "") + command->get_name();
+    text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", ManText(name), have_pages ? "(1)" : "",
+                        ManText(command->get_description()));
+  }
+  if (!have_pages) text += ".SH OPTIONS OF EACH COMMAND\n" + ManOptions(*commands.front());
+  return text;
+}
+
 /// Returns the manual page, in the format of man(7), of the program or of one of its commands.
 std::string ManualPage(const CLI::App& app) {
   const CLI::App* const parent = app.get_parent();
@@ -50,24 +83,9 @@ std::string ManualPage(const CLI::App& app) {
       fmt::format(".TH {} 1\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n.B {}\n", name, ManText(name),
                   ManText(app.get_description()),
                   ManText(parent == nullptr ? name : parent->get_name() + " " + app.get_name()));
-  page += parent == nullptr ? "\\fICOMMAND\\fR [\\fIOPTION\\fR]...\n" : "[\\fIOPTION\\fR]...\n";
-  if (parent == nullptr) {
-    page += ".SH COMMANDS\n";
-    for (const CLI::App* command : CommandsOf(app)) {
-      page += fmt::format(".TP\n\\fB{}\\fR(1)\n{}\n", ManText(name + "-" + command->get_name()),
-                          ManText(command->get_description()));
-    }
-  }
-  page += ".SH OPTIONS\n";
-  for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
-    if (option->get_group().empty()) continue;
-    if (option->nonpositional()) {
-      page += ManOption(*option);
-    } else {
-      page += fmt::format(".TP\n\\fI{}\\fR\n{}\n", ManText(option->get_name(true)),
-                          ManText(option->get_description()));
-    }
-  }
+  page +=
+      CommandsOf(app).empty() ? "[\\fIOPTION\\fR]...\n" : "\\fICOMMAND\\fR [\\fIOPTION\\fR]...\n";
+  page += ManCommands(app, name) + ".SH OPTIONS\n" + ManOptions(app);
   return page + ".SH NOTES\n.nf\n" + ManText(app.get_footer()) + "\n.fi\n";
 }
 

@@ -68,6 +68,8 @@ TEST(CommandLine, ManualPagesHaveTheSectionsOfMan) {
     }
   }
   EXPECT_THAT(RunCorvo({"manual", "run"}).out, HasSubstr("\\fB\\-\\-meters\\-per\\-unit\\fR"));
+  EXPECT_THAT(RunCorvo({"manual", "synth"}).out,
+              AllOf(HasSubstr("\\fBcorridor\\fR\n"), HasSubstr("\\fB\\-\\-vignetting\\fR")));
   EXPECT_EQ(RunCorvo({"manual", "fly"}).exit_code, 1);
 }
 
