@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what corvo needs to build and to run, on Debian 12 and Ubuntu 24.04. Installs only what
-# is missing, says so first, and needs neither root nor a network when nothing is.
+# Installs what corvo needs to build and to run, on Debian 12, Debian 13 and Ubuntu 24.04. Installs
+# only what is missing, says so first, and needs neither root nor a network when nothing is.
 #
 #   install_dependencies.sh [--development]
 #
@@ -23,8 +23,8 @@ usage() { sed -n '3,11s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'
-install_dependencies.sh: this system has no apt-get and dpkg; it can install on Debian 12 and
-Ubuntu 24.04 only. Install these yourself, with their headers and CMake files, and build with
+install_dependencies.sh: this system has no apt-get and dpkg; it can install on Debian 12, Debian 13
+and Ubuntu 24.04 only. Install these yourself, with their headers and CMake files, and build with
 `cmake --preset release && cmake --build --preset release`:
   a C++20 compiler (g++ 12 or clang 14, or later), CMake 3.22 or later, Ninja,
   Eigen 3.4, OpenCV 4.6 or later (core imgproc imgcodecs videoio features2d calib3d, and stitching
