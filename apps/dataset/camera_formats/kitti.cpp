@@ -65,11 +65,11 @@ StatedCamera ReadKittiCamera(const CalibrationContent& content, const std::strin
                   stated.parameters);
   if (is_raw || IsNumbered(name, kRectified)) {
     const std::string number = name.substr(name.rfind('_') + 1);
-    const TextLine& size = FindRow(content, (is_raw ? "S_" : "S_rect_") + number);
+    const TextLine size = FindRow(content, (is_raw ? "S_" : "S_rect_") + number);
     SetSize(RowNumbers(content, size, 2), LinePrefix(content.file(), size) + RowName(size),
             stated.parameters);
     if (is_raw) {
-      const TextLine& distortion = FindRow(content, "D_" + number);
+      const TextLine distortion = FindRow(content, "D_" + number);
       SetDistortion(kOpenCvCoefficients, RowNumbers(content, distortion, 5),
                     LinePrefix(content.file(), distortion) + RowName(distortion), "plumb_bob",
                     stated.parameters);
