@@ -13,6 +13,7 @@ CalibrationReport::Estimate ReportParameter(const FreeParameter& parameter,
   CalibrationReport::Estimate estimate{parameter.name, ValueOf(given, parameter.name),
                                        ValueOf(camera, parameter.name), sigma,
                                        InformationGain(parameter, sigma)};
+  estimate.is_contradicted = parameter.needs_evidence && estimate.value != estimate.given;
   if (parameter.name == "focal") {  // Reported as fx, in px.
     estimate.name = "fx";
     estimate.sigma *= camera.fx;

@@ -21,6 +21,9 @@ struct CalibrationReport {
     double value;
     double sigma;
     double share_from_data;  ///< Fraction of its information from the images, not the prior.
+    /// Whether it differs from its given value because the images are evidence against that; see
+    /// FreeParameter::needs_evidence.
+    bool is_contradicted = false;
   };
 
   std::vector<Estimate> estimates;  ///< Empty if the camera is not estimated.

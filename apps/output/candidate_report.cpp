@@ -36,7 +36,8 @@ std::string EstimateText(const CameraCandidate& candidate) {
   const Eigen::MatrixXd& covariance = candidate.adjustment.estimate.covariance;
   std::string text = "  parameter        value        sigma  correlations\n";
   for (std::size_t i = 0; i < sigma.size(); ++i) {
-    const auto& [name, deviation] = sigma[i];
+    const std::string& name = sigma[i].name;
+    const double deviation = sigma[i].sigma;
     const double value = ValueOf(candidate.adjustment.camera, name);
     const double in_unit = name == "focal" ? deviation * value : deviation;
     text += fmt::format("  {:<9} {:>12.6g} {:>12.3g} ", name, value, in_unit);

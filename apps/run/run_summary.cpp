@@ -101,8 +101,9 @@ void Warn(const RunRecord& record, RunSummary& summary) {
         VideoWarning(summary.video), ScaleWarning(summary.uncertain_scale),
         BlurWarning(summary.num_blurred, summary.num_frames), ResidualWarning(summary.residuals),
         FocalLengthWarning(summary.check, map.camera().fx()),
-        DisagreementWarning(summary.calibration), ContradictionWarning(summary.calibration),
-        MisfitWarning(summary.misfitting), record.why_not_metric}) {
+        DisagreementWarning(summary.calibration), EvidenceWarning(summary.calibration),
+        ContradictionWarning(summary.calibration), MisfitWarning(summary.misfitting),
+        record.why_not_metric}) {
     if (warning.empty()) continue;
     spdlog::warn("{}", warning);
     summary.warnings.push_back(warning);

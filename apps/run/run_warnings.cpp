@@ -147,6 +147,20 @@ std::string DisagreementWarning(const CalibrationReport& report) {
          "zoomed or focused; the standard deviations were increased accordingly";
 }
 
+std::string EvidenceWarning(const CalibrationReport& report) {
+  std::string text;
+  for (const CalibrationReport::Estimate& e : report.estimates) {
+    if (!e.is_contradicted) continue;
+    text += fmt::format("{}{} {:.4g} ± {:.2g} (given: {:.4g})", text.empty() ? "" : ", ", e.name,
+                        e.value, e.sigma, e.given);
+  }
+  if (text.empty()) return "";
+  return "the images are evidence against the given principal point or tangential distortion, "
+         "which "
+         "were estimated: " +
+         text;
+}
+
 std::string ContradictionWarning(const CalibrationReport& report) {
   if (!report.prior_rejected) return "";
   return "the images contradict the given camera by more than its standard deviations allow; it "

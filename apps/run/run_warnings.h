@@ -51,6 +51,8 @@ std::string BlurWarning(int num_blurred, int num_frames);
 std::string ResidualWarning(const std::optional<MatchResiduals>& residuals);
 std::string FocalLengthWarning(const CalibrationCheck& check, double fx);
 std::string DisagreementWarning(const CalibrationReport& report);
+/// Names the parameters that were estimated because the images are evidence against their values.
+std::string EvidenceWarning(const CalibrationReport& report);
 std::string ContradictionWarning(const CalibrationReport& report);
 std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters);
 

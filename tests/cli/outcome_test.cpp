@@ -73,6 +73,15 @@ TEST(CountReasons, CountsFramesWithoutAPose) {
                                    testing::Pair(Reason::kTooFewInliers, 1)));
 }
 
+TEST(EvidenceWarning, NamesTheParametersThatTheImagesContradict) {
+  CalibrationReport report;
+  report.estimates = {{"k1", 0, 0.01, 0.001, 1}, {"cx", 619.6, 608.9, 3.2, 0.8}};
+  EXPECT_EQ(EvidenceWarning(report), "");
+  report.estimates[1].is_contradicted = true;
+  EXPECT_THAT(EvidenceWarning(report), testing::HasSubstr("cx 608.9 ± 3.2 (given: 619.6)"));
+  EXPECT_THAT(EvidenceWarning(report), testing::Not(testing::HasSubstr("k1")));
+}
+
 TEST(ContradictionWarning, TellsAContradictedCameraFromOneThatChanges) {
   CalibrationReport report;
   EXPECT_EQ(ContradictionWarning(report), "");

@@ -66,6 +66,14 @@ void CameraPrior::Validate() const {
   }
 }
 
+std::vector<int> CameraPrior::IndicesWithoutEvidence() const {
+  std::vector<int> indices;
+  for (int i = 0; i < num_free(); ++i) {
+    if (!free[i].needs_evidence) indices.push_back(i);
+  }
+  return indices;
+}
+
 CameraParameters CameraPrior::Apply(const Eigen::VectorXd& difference) const {
   CameraParameters camera = given;
   for (int i = 0; i < num_free(); ++i) {
@@ -96,9 +104,11 @@ double CameraPrior::SquaredError(const Eigen::VectorXd& difference) const {
 }
 
 bool CameraPrior::PassesChiSquareTest(const Eigen::VectorXd& difference) const {
-  const auto num_known =
-      std::count_if(free.begin(), free.end(),
-                    [](const FreeParameter& parameter) { return std::isfinite(parameter.sigma); });
+  int num_known = 0;
+  for (int i = 0; i < num_free(); ++i) {
+    const bool is_kept = free[i].needs_evidence && difference[i] == 0;
+    if (std::isfinite(free[i].sigma) && !is_kept) ++num_known;
+  }
   return SquaredError(difference) <= kChiSquare999[num_known];
 }
 
@@ -120,8 +130,16 @@ CameraPrior CameraPrior::Resized(int width, int height) const {
 
 CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options) {
   if (given.model != CameraModel::kPinhole) return {given, {}};
-  return {given,
-          {{kFocal, options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
+  CameraPrior prior{
+      given, {{kFocal, options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
+  const auto add_on_evidence = [&prior](const char* name, double sigma) {
+    if (sigma > 0) prior.free.push_back({name, sigma, true});
+  };
+  add_on_evidence("cx", options.center_sigma_share * given.width);
+  add_on_evidence("cy", options.center_sigma_share * given.width);
+  add_on_evidence("p1", options.tangential_sigma);
+  add_on_evidence("p2", options.tangential_sigma);
+  return prior;
 }
 
 Eigen::MatrixXd PriorInformation(const CameraPrior& prior) {

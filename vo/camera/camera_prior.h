@@ -20,6 +20,8 @@ struct FreeParameter {
   /// The standard deviation of the given value in the unit of the value, or as a share of it for
   /// "focal". Infinity if nothing is known.
   double sigma = std::numeric_limits<double>::infinity();
+  /// Whether the odometry keeps the given value unless the images are strong evidence against it.
+  bool needs_evidence = false;
 
   bool operator==(const FreeParameter&) const = default;
 };
@@ -37,6 +39,8 @@ struct CameraPrior {
   std::vector<FreeParameter> free;
 
   int num_free() const { return static_cast<int>(free.size()); }
+  /// Returns the indices of the free parameters that need no evidence.
+  std::vector<int> IndicesWithoutEvidence() const;
 
   /// Throws corvo::Error if `given` is invalid (see CameraParameters::Validate), or naming the
   /// first free parameter that the model does not have, that occurs twice ("focal" counts as fx and
@@ -50,7 +54,8 @@ struct CameraPrior {
   /// Returns the χ² of a difference: the sum of (d / sigma)².
   double SquaredError(const Eigen::VectorXd& difference) const;
   /// Returns whether a difference is consistent with the sigmas: its χ² is at most the 99.9%
-  /// quantile. If it is not, the camera is not the given one, and the remaining error was absorbed
+  /// quantile. Parameters that have their given value for want of evidence do not count. If it is
+  /// not, the camera is not the given one, and the remaining error was absorbed
   /// by parameters that cannot express it.
   bool PassesChiSquareTest(const Eigen::VectorXd& difference) const;
 
@@ -67,8 +72,9 @@ struct CameraPrior {
 
 /// Returns the prior of a camera that is given without sigmas. For the pinhole model the focal
 /// length, k1 and k2 are free: a calibrated camera keeps a residual distortion, which bends the
-/// scale of a map wherever the camera turns. The principal point is fixed, since it cannot be
-/// distinguished from a rotation of the camera. Other models have no free parameters.
+/// scale of a map wherever the camera turns. The principal point, which can hardly be distinguished
+/// from a rotation of the camera, and p1 and p2 are free where the images are evidence against the
+/// given values. Other models have no free parameters.
 CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options);
 
 /// An estimate of a camera: its difference from the given camera, and the covariance of the

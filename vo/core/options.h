@@ -376,6 +376,8 @@ struct CalibrationOptions {
   double focal_sigma = 0.002;         // The value that a board calibration states.
   double k1_sigma = 0.03;             // ablation
   double k2_sigma = 0.02;             // ablation
+  double center_sigma_share = 0.006;  // docs/calibration.md
+  double tangential_sigma = 0.002;    // docs/calibration.md
   int block_keyframes = 30;           // ablation
   int max_keyframes = 60;             // ablation
   int points_per_keyframe = 200;      // ablation
@@ -400,6 +402,11 @@ struct CalibrationOptions {
           "standard deviation of a given k1 of a pinhole camera");
     field("k2_sigma", self.k2_sigma, 1e-6, 10.0,
           "standard deviation of a given k2 of a pinhole camera");
+    field("center_sigma_share", self.center_sigma_share, 0.0, 1.0,
+          "standard deviation of a given principal point of a pinhole camera, as a share of the "
+          "image width; 0: it is exact");
+    field("tangential_sigma", self.tangential_sigma, 0.0, 1.0,
+          "standard deviation of given p1 and p2 of a pinhole camera; 0: they are exact");
   }
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {

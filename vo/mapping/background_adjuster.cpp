@@ -140,7 +140,10 @@ void BackgroundAdjuster::StartCalibration(int frame, const Map& map) {
       frame + std::min(options.max_latency_frames, block_.num_keyframes + options.latency_frames);
   CameraEstimator estimator(prior_, estimate_, options, finished_,
                             CopyBundle(map, {keyframes, {}, map.FindObserved(keyframes)}));
-  if (finished_.size() > 0) {
+  // The estimate of all blocks is that of the only one if it frees the same parameters.
+  const bool may_differ =
+      static_cast<int>(prior_.IndicesWithoutEvidence().size()) < prior_.num_free();
+  if (finished_.size() > 0 || may_differ) {
     estimator.AdjustToCamera(
         CopyBundle(map, SelectNewestKeyframes(map, block_.newest, options.max_keyframes,
                                               options_.bundle_adjuster)));

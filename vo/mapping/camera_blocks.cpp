@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "vo/mapping/camera_blocks.h"
 
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include "vo/math/chi_square.h"
 #include "vo/optimization/camera_covariance.h"
@@ -37,8 +40,7 @@ CameraEstimate CameraBlocks::Estimate() const {
     sum.vector += blocks_[i].vector;
   }
   const Eigen::MatrixXd covariance = CameraCovariance(prior_, stated_share_ * sum.matrix);
-  CameraEstimate estimate{(sum.matrix + PriorInformation(prior_)).ldlt().solve(sum.vector),
-                          covariance};
+  CameraEstimate estimate{Difference(sum), covariance};
   const int degrees_of_freedom = (size() - 1) * prior_.num_free();
   const double chi_square = ChiSquare(estimate.difference);
   if (degrees_of_freedom > 0 && chi_square > ChiSquare999(degrees_of_freedom)) {
@@ -46,6 +48,37 @@ CameraEstimate CameraBlocks::Estimate() const {
     estimate.is_consistent = false;
   }
   return estimate;
+}
+
+Eigen::VectorXd CameraBlocks::Difference(const CameraInformation& sum) const {
+  constexpr double kVeryStrong = 5;
+  std::vector<int> all(prior_.num_free());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> some = prior_.IndicesWithoutEvidence();
+  const bool is_evident =
+      some.size() < all.size() && LogLikelihood(sum, all) > LogLikelihood(sum, some) + kVeryStrong;
+  const std::vector<int>& free = is_evident ? all : some;
+  const Eigen::MatrixXd information = sum.matrix + PriorInformation(prior_);
+  const Eigen::MatrixXd of_free = information(free, free);
+  const Eigen::VectorXd vector = sum.vector(free);
+  const Eigen::VectorXd of_free_only = of_free.ldlt().solve(vector);
+  Eigen::VectorXd difference = Eigen::VectorXd::Zero(prior_.num_free());
+  difference(free) = of_free_only;
+  return difference;
+}
+
+double CameraBlocks::LogLikelihood(const CameraInformation& sum,
+                                   const std::vector<int>& free) const {
+  const Eigen::MatrixXd prior = PriorInformation(prior_)(free, free);
+  const Eigen::MatrixXd information = prior + stated_share_ * sum.matrix(free, free);
+  const Eigen::LLT<Eigen::MatrixXd> root(information);
+  const Eigen::VectorXd vector = stated_share_ * sum.vector(free);
+  const double log_root_determinant = root.matrixLLT().diagonal().array().log().sum();
+  double log_prior = 0;  // Without parameters of which nothing is known; these are always free.
+  for (const double value : prior.diagonal()) {
+    if (value > 0) log_prior += std::log(value);
+  }
+  return 0.5 * vector.dot(root.solve(vector)) - log_root_determinant + 0.5 * log_prior;
 }
 
 double CameraBlocks::ChiSquare(const Eigen::VectorXd& difference) const {

@@ -15,7 +15,14 @@ namespace corvo {
 ///
 ///     C = s (Λ₀ + q Σ Hᵢ)⁻¹,   d = (Λ₀ + Σ Hᵢ)⁻¹ Σ ηᵢ
 ///
-/// where q is the share of the information that independent recordings confirm.
+/// where q is the share of the information that independent recordings confirm. Parameters that
+/// need evidence have d = 0 unless the model in which they are free is more likely than the one in
+/// which they are exact by a factor of e⁵ ("very strong": Kass and Raftery, Bayes factors, 1995);
+/// their variances are those of C in any case. The likelihood of a model with its parameters
+/// integrated out is proportional to
+///
+///     sqrt(|Λ₀| / |Λ₀ + q Σ Hᵢ|) exp(½ (q Σ ηᵢ)ᵀ (Λ₀ + q Σ Hᵢ)⁻¹ (q Σ ηᵢ))
+///
 /// Nothing counts twice and nothing is forgotten, also across segments and losses. If the blocks
 /// agree, s = 1. They disagree if the χ² of their differences from d (with q Hᵢ), which has a
 /// distribution with (n - 1) p degrees of freedom for n blocks and p parameters, is beyond
@@ -35,6 +42,11 @@ class CameraBlocks {
   CameraEstimate Estimate() const;
 
  private:
+  /// Returns the difference from the given camera, given the sum of all blocks.
+  Eigen::VectorXd Difference(const CameraInformation& sum) const;
+  /// Returns the logarithm of the likelihood of the model in which the parameters with the given
+  /// indices are free, up to a constant.
+  double LogLikelihood(const CameraInformation& sum, const std::vector<int>& free) const;
   /// Returns the χ² of the blocks' differences from `difference`.
   double ChiSquare(const Eigen::VectorXd& difference) const;
 

@@ -29,7 +29,8 @@ class CameraEstimator {
   CameraEstimator(const CameraPrior& prior, const CameraEstimate& before,
                   const CalibrationOptions& options, const CameraBlocks& finished, Bundle block);
 
-  /// Has these keyframes adjusted to the estimate, in place of the block.
+  /// Has these keyframes adjusted to the estimate, in place of the block. To be called if the
+  /// estimate may differ from that of the block alone.
   void AdjustToCamera(Bundle newest) { newest_ = std::move(newest); }
 
   /// Adjusts the block together with the camera, without a gauge, and then, if there are any, the

@@ -56,13 +56,27 @@ TEST(CameraPriorTest, ChiSquareTestIgnoresParametersWithoutASigma) {
   EXPECT_FALSE(Prior({{"cx"}, {"k1", 0.1}}).PassesChiSquareTest(Eigen::Vector2d(0, 0.4)));
 }
 
+TEST(CameraPriorTest, ParametersThatKeepTheirValueDoNotCountInTheChiSquareTest) {
+  // With one degree of freedom the limit of d / sigma is 3.29, with two 3.72.
+  const CameraPrior prior = Prior({{"k1", 0.1}, {"p1", 1, true}});
+  EXPECT_FALSE(prior.PassesChiSquareTest(Eigen::Vector2d(0.35, 0)));
+  EXPECT_TRUE(prior.PassesChiSquareTest(Eigen::Vector2d(0.35, 1e-3)));
+}
+
 TEST(CameraPriorTest, DefaultPriorOfAPinholeCameraFreesFocalLengthAndRadialDistortion) {
-  const CalibrationOptions options;
+  CalibrationOptions options;
   CameraParameters given = test::PinholeCamera().parameters();
-  EXPECT_EQ(
-      MakePrior(given, options).free,
-      (std::vector<FreeParameter>{
-          {"focal", options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}));
+  EXPECT_EQ(MakePrior(given, options).free,
+            (std::vector<FreeParameter>{{"focal", options.focal_sigma},
+                                        {"k1", options.k1_sigma},
+                                        {"k2", options.k2_sigma},
+                                        {"cx", options.center_sigma_share * given.width, true},
+                                        {"cy", options.center_sigma_share * given.width, true},
+                                        {"p1", options.tangential_sigma, true},
+                                        {"p2", options.tangential_sigma, true}}));
+  EXPECT_THAT(MakePrior(given, options).IndicesWithoutEvidence(), testing::ElementsAre(0, 1, 2));
+  options.center_sigma_share = options.tangential_sigma = 0;
+  EXPECT_EQ(MakePrior(given, options).num_free(), 3);
   given.model = CameraModel::kKb4;
   EXPECT_EQ(MakePrior(given, options).num_free(), 0);
 }

@@ -59,6 +59,21 @@ TEST(CameraBlocksTest, InformationAddsUp) {
   EXPECT_DOUBLE_EQ(blocks.Estimate().covariance(0, 0), 1 / 6.0);
 }
 
+TEST(CameraBlocksTest, AParameterKeepsItsValueWithoutVeryStrongEvidence) {
+  // A parameter of 0 ± 1 is measured as `value` ± 0.1: the logarithm of the likelihood ratio is
+  // (100 value)² / 101 / 2 - log(101) / 2, which is 5 for a value of 0.3842.
+  const auto estimate = [](double value) {
+    CameraBlocks blocks({test::PinholeCamera().parameters(), {{"k1", 1}, {"p1", 1, true}}}, 1);
+    const Eigen::Matrix2d matrix = Eigen::Vector2d(100, 100).asDiagonal();
+    blocks.Add({matrix, matrix * Eigen::Vector2d(0.001, value)});
+    return blocks.Estimate();
+  };
+  EXPECT_EQ(estimate(0.38).difference[1], 0);
+  EXPECT_DOUBLE_EQ(estimate(0.39).difference[1], 100 * 0.39 / 101);
+  EXPECT_DOUBLE_EQ(estimate(0.38).difference[0], 0.1 / 101) << "needs no evidence";
+  EXPECT_DOUBLE_EQ(estimate(0.38).covariance(1, 1), 1 / 101.0) << "is not exact, though";
+}
+
 TEST(CameraBlocksTest, OnlyTheStatedShareOfTheInformationCountsInTheCovariance) {
   CameraBlocks blocks({test::PinholeCamera().parameters(), {{"k1", 1}}}, 0.5);
   blocks.Add({Eigen::MatrixXd::Constant(1, 1, 4), Eigen::VectorXd::Constant(1, 10)});

@@ -51,8 +51,9 @@ Bundle CopyAll(const Map& map) {
 
 /// Estimates the camera from a map that was first adjusted with the given camera, like the map of
 /// an odometry.
-CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, const CalibrationOptions& options,
+CameraEstimate Estimate(const Eigen::Vector3d& truth, Path path, CalibrationOptions options,
                         test::Random& random) {
+  options.center_sigma_share = options.tangential_sigma = 0;
   const CameraPrior prior = MakePrior(test::PinholeCamera().parameters(), options);
   Bundle bundle = CopyAll(MakeViewMap(Camera(prior.Apply(truth)), path, random));
   BundleAdjuster(WindowAdjustment({})).Adjust(Camera(prior.given), bundle);
