@@ -245,6 +245,7 @@ double MetricError(const fs::path& result, const fs::path& truth) {
 }
 
 TEST_F(Pipeline, AKnownCameraHeightMakesLengthsMeters) {
+  CORVO_SKIP_IF_SHORT();
   const fs::path street = *folder_ / "wide_street", result = *folder_ / "height";
   ASSERT_EQ(
       RunCorvo({"synth", "street", "-o", street, "--frames", "60", "--width", "930"}).exit_code,

@@ -132,6 +132,7 @@ TEST(FocalSearch, UninformativePairsDoNotHideInformativeOnes) {
 
 /// The pairs contradict each other, so that the variance is that of their disagreement.
 TEST(FocalSearch, TwiceTheSamePairsHalveTheVariance) {
+  CORVO_SKIP_IF_SHORT();
   test::Random random(2);
   std::vector<PixelMatches> pairs;
   for (const double focal : {498.0, 502.0}) {
