@@ -122,7 +122,7 @@ TEST(CameraPriorTest, FreeParameterNamesAreThoseOfTheModel) {
 }
 
 TEST(CameraPriorTest, ValidateRejectsInvalidFreeParameters) {
-  const auto validate = [](std::vector<FreeParameter> free) {
+  const auto validate = [](const std::vector<FreeParameter>& free) {
     return [free] { Prior(free).Validate(); };
   };
   Prior({{"focal", 0.1}, {"cx"}, {"k1", 0.1}}).Validate();
