@@ -15,8 +15,6 @@
 namespace corvo {
 namespace {
 
-bool TakesValue(const CLI::Option& option) { return option.get_expected_max() > 0; }
-
 /// Returns a text for man(7): no line begins with a control character, and backslashes and hyphens
 /// are themselves.
 std::string ManText(const std::string& text) {

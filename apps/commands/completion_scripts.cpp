@@ -41,7 +41,7 @@ void AddOptions(const CLI::App& app, std::vector<CompletedOption>& options) {
   for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
     if (!option->nonpositional() || option->get_group().empty()) continue;
     const CompletedOption added{OptionNames(*option), option->get_description(),
-                                option->get_expected_max() > 0, ChoicesOf(*option)};
+                                TakesValue(*option), ChoicesOf(*option)};
     const auto is_added = [&](const CompletedOption& o) { return o.names == added.names; };
     if (std::ranges::none_of(options, is_added)) options.push_back(added);
   }
@@ -242,6 +242,8 @@ std::vector<std::string> OptionNames(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
   return names;
 }
+
+bool TakesValue(const CLI::Option& option) { return option.get_expected_max() > 0; }
 
 std::string CompletionScript(const CLI::App& app, const std::string& shell) {
   if (shell == "bash") return BashScript(app);

@@ -14,8 +14,7 @@ constexpr int kNumLevels = 1 << 16;
 
 }  // namespace
 
-GrayLevels::GrayLevels(int bits)
-    : levels_(kNumLevels), bits_(bits), text_(fmt::format("{} bits", bits)) {
+GrayLevels::GrayLevels(int bits) : levels_(kNumLevels), bits_(bits) {
   CheckRange("bits", bits, 8, 16);
   high_ = (1 << bits) - 1;
   for (int level = 0; level < kNumLevels; ++level) {
@@ -23,16 +22,16 @@ GrayLevels::GrayLevels(int bits)
   }
 }
 
-GrayLevels::GrayLevels(int low, int high)
-    : levels_(kNumLevels),
-      low_(low),
-      high_(high),
-      text_(fmt::format("levels {} to {}", low, high)) {
+GrayLevels::GrayLevels(int low, int high) : levels_(kNumLevels), low_(low), high_(high) {
   const int span = std::max(high - low, 1);
   for (int level = 0; level < kNumLevels; ++level) {
     const int above = std::clamp(level - low, 0, span);
     levels_[level] = static_cast<std::uint8_t>((255 * above + span / 2) / span);
   }
+}
+
+std::string GrayLevels::text() const {
+  return bits_ ? fmt::format("{} bits", *bits_) : fmt::format("levels {} to {}", low_, high_);
 }
 
 cv::Mat GrayLevels::ToByte(const cv::Mat& image) const {

@@ -26,7 +26,7 @@ class GrayLevels {
   cv::Mat ToByte(const cv::Mat& image) const;
 
   /// Describes the map, such as "12 bits" or "levels 6900 to 8600".
-  const std::string& text() const { return text_; }
+  std::string text() const;
 
   /// The number of bits, or std::nullopt for a map of two levels.
   std::optional<int> bits() const { return bits_; }
@@ -39,7 +39,6 @@ class GrayLevels {
   std::optional<int> bits_;
   int low_ = 0;
   int high_ = 0;
-  std::string text_;
 };
 
 /// The gray levels that occur in 16-bit images.

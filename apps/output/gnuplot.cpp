@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <memory>
 #include <string_view>
 
 #include <fcntl.h>
@@ -15,21 +14,17 @@
 
 #include "apps/output/durable_file.h"
 #include "apps/output/plot_format.h"
+#include "apps/output/temporary_file.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
 namespace corvo {
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
 /// Returns an unnamed temporary file with the content `text`, positioned at its start, or null if
 /// it cannot be created.
-File HoldText(const std::string& text) {
-  File file(std::tmpfile());
+TemporaryFile HoldText(const std::string& text) {
+  TemporaryFile file(std::tmpfile());
   if (!file) return nullptr;
   std::fwrite(text.data(), 1, text.size(), file.get());
   if (std::fflush(file.get()) != 0) return nullptr;
@@ -76,7 +71,7 @@ void RemoveDates(const std::filesystem::path& pdf) {
 }  // namespace
 
 bool RunGnuplot(const std::string& script, const std::filesystem::path& output) {
-  const File input = HoldText(script);
+  const TemporaryFile input = HoldText(script);
   if (input && Spawn(fileno(input.get()), output)) {
     // gnuplot reports no error if the disk is full.
     if (!IsWholePlot(output)) {

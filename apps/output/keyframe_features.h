@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdio>
+#include <cstddef>
 #include <filesystem>
 #include <map>
-#include <memory>
-#include <string>
 
+#include "apps/output/temporary_file.h"
 #include "vo/map/map.h"
 #include "vo/map/pose_graph.h"
 
@@ -28,9 +27,6 @@ class KeyframeFeatureSpool {
   void Write(const PoseGraph& graph, const std::filesystem::path& file) const;
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   /// The place of a keyframe's features in the file.
   struct Rows {
     long first_byte = 0;
@@ -39,7 +35,7 @@ class KeyframeFeatureSpool {
 
   void Add(const Frame& keyframe);
 
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  TemporaryFile file_;
   std::map<int, Rows> rows_;  // By the index of the frame.
   int num_keyframes_ = 0;     // Of the map, at the last call.
 };

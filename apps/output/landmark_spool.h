@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <functional>
-#include <memory>
 
+#include "apps/output/temporary_file.h"
 #include "vo/map/map.h"
 
 namespace corvo {
@@ -25,11 +24,7 @@ class LandmarkSpool {
   void ForEach(const std::function<void(const MarginalizedLandmark&)>& visit) const;
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  TemporaryFile file_;
   int size_ = 0;
 };
 

@@ -42,8 +42,8 @@ nlohmann::ordered_json Describe(const RunArguments& arguments, const RunInputs& 
 /// is known at the end only.
 Trajectory InGivenUnit(const RunArguments& arguments, Trajectory trajectory) {
   if (!arguments.meters_per_unit) return trajectory;
-  MetricScale scale = ConstantScale(trajectory, *arguments.meters_per_unit);
-  return MetricTransform(std::move(trajectory), std::move(scale)).trajectory();
+  const MetricTransform metric(trajectory, ConstantScale(trajectory, *arguments.meters_per_unit));
+  return metric.Apply(std::move(trajectory));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
         finished->Add(landmark);
       });
   record.odometry.SetObservationCallback(record.observations.Callback());
+  if (arguments.keyframe_features) record.features.emplace();
   return record;
 }
 
@@ -48,7 +49,6 @@ class ImageLoop {
             Checkpoint& checkpoint)
       : image_size_(inputs.camera.given.width, inputs.camera.given.height),
         names_(arguments.input, inputs.source.list()),
-        keyframe_features_(arguments.keyframe_features),
         progress_(inputs.source.expected_size().value_or(0)),
         drawings_(drawings),
         checkpoint_(checkpoint) {}
@@ -77,7 +77,7 @@ class ImageLoop {
     if (frame.is_keyframe) {
       record.colors.Add(record.odometry.last_frame(), next.color.empty() ? next.image : next.color);
     }
-    if (keyframe_features_) record.features.Update(record.odometry.map());
+    if (record.features) record.features->Update(record.odometry.map());
     Draw(next, frame, record.odometry);
     progress_.Add(frame);
     checkpoint_.Update(record.odometry);
@@ -94,7 +94,6 @@ class ImageLoop {
 
   cv::Size image_size_;
   ImageNames names_;
-  bool keyframe_features_;
   ProgressReport progress_;
   TrackDrawings& drawings_;
   Checkpoint& checkpoint_;

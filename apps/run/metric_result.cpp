@@ -2,7 +2,7 @@
 #include "apps/run/metric_result.h"
 
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,15 +38,15 @@ MetricScale MeasureScale(const RunArguments& arguments, const RunRecord& record)
 }
 
 /// Returns the segments that have no scale.
-std::string WhyNotMetric(const MetricTransform& metric) {
+std::string WhyNotMetric(const Trajectory& trajectory, const MetricScale& scale) {
   std::string names;
-  for (const Segment& segment : metric.trajectory().Segments()) {
-    if (metric.scale().frames[segment.first_frame]) continue;
+  for (const Segment& segment : trajectory.Segments()) {
+    if (scale.frames[segment.first_frame]) continue;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", segment.index);
   }
   if (names.empty()) return "";
   return fmt::format("the lengths of segment {} are not in meters: {}", names,
-                     metric.scale().source == ScaleSource::kCameraHeight
+                     scale.source == ScaleSource::kCameraHeight
                          ? "no ground was found below the path of the camera"
                          : "the known distance is in another segment");
 }
@@ -76,8 +76,8 @@ void BringToMeters(const RunArguments& arguments, RunRecord& record) {
     record.why_not_metric = error.what();
     return;
   }
-  record.trajectory = record.metric->trajectory();
-  record.why_not_metric = WhyNotMetric(*record.metric);
+  record.trajectory = record.metric->Apply(std::move(record.trajectory));
+  record.why_not_metric = WhyNotMetric(record.trajectory, record.metric->scale());
 }
 
 std::vector<double> MetersPerUnit(const RunRecord& record) {

@@ -43,8 +43,8 @@ struct RunRecord {
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
   LandmarkColors colors;
-  KeyframeFeatureSpool features;  ///< Of the keyframes; empty unless they are to be written.
-  std::map<Reason, std::string> first_errors;  ///< The first missing image of each reason.
+  std::optional<KeyframeFeatureSpool> features;  ///< Of the keyframes, if they are to be written.
+  std::map<Reason, std::string> first_errors;    ///< The first missing image of each reason.
   double elapsed_s = 0;
   RunEnd end;
 

@@ -58,8 +58,7 @@ void WriteTrajectories(const Trajectory& trajectory, const OutputFolder& output)
   }
 }
 
-void WriteTables(const RunArguments& arguments, const RunRecord& record,
-                 const OutputFolder& output) {
+void WriteTables(const RunRecord& record, const OutputFolder& output) {
   std::vector<MapPoint> points = PointsOf(record);
   WriteObservations(record.odometry, record.observations, output.Stage("observations.npy"), points);
   for (MapPoint& point : points) point.rgb = record.colors.Of(point.id);
@@ -68,9 +67,7 @@ void WriteTables(const RunArguments& arguments, const RunRecord& record,
   output.Write("relative_poses.csv", RelativePoseTable(record.trajectory));
   output.Write("pose_graph.g2o", ToG2o(record.graph, G2oForm::kSe3));
   output.Write("pose_graph_sim3.g2o", ToG2o(record.graph, G2oForm::kSim3));
-  if (arguments.keyframe_features) {
-    record.features.Write(record.graph, output.Stage("keyframe_features.npy"));
-  }
+  if (record.features) record.features->Write(record.graph, output.Stage("keyframe_features.npy"));
   output.Write("timing.csv", TimingTable(record.timings));
   if (record.metric) output.Write("metric_scale.csv", MetricScaleTable(record.metric->scale()));
 }
@@ -121,7 +118,7 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
                   const RunSummary& summary, const OutputFolder& output) {
   WriteTrajectories(record.trajectory, output);
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
-  WriteTables(arguments, record, output);
+  WriteTables(record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);

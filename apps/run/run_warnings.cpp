@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 namespace corvo {
-
 namespace {
 
 /// Returns the ranges of the frames that are selected by their index.
@@ -21,6 +20,12 @@ std::vector<FrameRange> RangesOf(const std::vector<char>& is_selected) {
     ranges.back().last = i;
   }
   return ranges;
+}
+
+/// Returns an estimate of a parameter beside its other value, which `other_is` names.
+std::string DifferenceText(const std::string& name, double value, double sigma,
+                           const char* other_is, double other) {
+  return fmt::format("{} {:.4g} ± {:.2g} ({}: {:.4g})", name, value, sigma, other_is, other);
 }
 
 }  // namespace
@@ -133,9 +138,9 @@ std::string MisfitWarning(const std::vector<MisfittingParameter>& parameters) {
   if (parameters.empty()) return "";
   std::string text;
   for (const MisfittingParameter& parameter : parameters) {
-    text += fmt::format("{}{} {:.4g} ± {:.2g} (used: {:.4g})", text.empty() ? "" : ", ",
-                        parameter.name == "focal" ? "fx" : parameter.name, parameter.fitted,
-                        parameter.sigma, parameter.used);
+    const std::string name = parameter.name == "focal" ? "fx" : parameter.name;
+    text += (text.empty() ? "" : ", ") +
+            DifferenceText(name, parameter.fitted, parameter.sigma, "used", parameter.used);
   }
   return "the map fits another calibration than the given one: " + text;
 }
@@ -151,13 +156,11 @@ std::string EvidenceWarning(const CalibrationReport& report) {
   std::string text;
   for (const CalibrationReport::Estimate& e : report.estimates) {
     if (!e.is_contradicted) continue;
-    text += fmt::format("{}{} {:.4g} ± {:.2g} (given: {:.4g})", text.empty() ? "" : ", ", e.name,
-                        e.value, e.sigma, e.given);
+    text += (text.empty() ? "" : ", ") + DifferenceText(e.name, e.value, e.sigma, "given", e.given);
   }
   if (text.empty()) return "";
   return "the images are evidence against the given principal point or tangential distortion, "
-         "which "
-         "were estimated: " +
+         "which were estimated: " +
          text;
 }
 

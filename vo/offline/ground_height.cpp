@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "vo/math/median.h"
-
 namespace corvo {
 namespace {
 

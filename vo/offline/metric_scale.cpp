@@ -146,24 +146,27 @@ MetricScale ScaleOfDistance(const Trajectory& trajectory, const KnownDistance& k
   return scale;
 }
 
-MetricTransform::MetricTransform(Trajectory trajectory, MetricScale scale)
+MetricTransform::MetricTransform(const Trajectory& trajectory, MetricScale scale)
     : scale_(std::move(scale)), offsets_(OffsetsOf(trajectory, scale_)) {
   for (const Segment& segment : trajectory.Segments()) {
     paths_.emplace(segment.index, CameraPath(trajectory, segment.index));
   }
-  in_meters_ = std::move(trajectory);
-  for (FrameResult& frame : in_meters_.frames) {
+}
+
+Trajectory MetricTransform::Apply(Trajectory trajectory) const {
+  for (FrameResult& frame : trajectory.frames) {
     if (!frame.world_from_camera) continue;
     const SE3 pose = *frame.world_from_camera;
     frame.world_from_camera = SE3(pose.rotation(), ToMeters(frame.index, pose.translation()));
   }
-  UpdateRelativePoses(in_meters_);
-  for (FrameResult& frame : in_meters_.frames) {
+  UpdateRelativePoses(trajectory);
+  for (FrameResult& frame : trajectory.frames) {
     const std::optional<FrameScale>& scale_of_frame = scale_.frames[frame.index];
     if (!scale_of_frame) continue;
     if (frame.relative_pose) ScaleRelativePose(*scale_of_frame, *frame.relative_pose);
-    if (scale_.source) NameScale(*scale_.source, *scale_of_frame, frame.segment, in_meters_);
+    if (scale_.source) NameScale(*scale_.source, *scale_of_frame, frame.segment, trajectory);
   }
+  return trajectory;
 }
 
 std::vector<double> MetricTransform::MetersPerUnit() const {

@@ -56,11 +56,11 @@ MetricScale ScaleOfDistance(const Trajectory& trajectory, const KnownDistance& k
 class MetricTransform {
  public:
   /// `trajectory` is the one in units of its segments, and `scale` its scale.
-  MetricTransform(Trajectory trajectory, MetricScale scale);
+  MetricTransform(const Trajectory& trajectory, MetricScale scale);
 
-  /// The trajectory in meters. The covariances of relative poses have the error of the scale in
-  /// them. If the scale was measured, that of its segments says so.
-  const Trajectory& trajectory() const { return in_meters_; }
+  /// Returns the trajectory in meters. The covariances of relative poses have the error of the
+  /// scale in them. If the scale was measured, that of its segments says so.
+  Trajectory Apply(Trajectory trajectory) const;
 
   const MetricScale& scale() const { return scale_; }
 
@@ -77,8 +77,7 @@ class MetricTransform {
 
   MetricScale scale_;
   std::vector<Eigen::Vector3d> offsets_;  // By the index of the frame, m.
-  Trajectory in_meters_;
-  std::map<int, CameraPath> paths_;  // By segment, in units.
+  std::map<int, CameraPath> paths_;       // By segment, in units.
 };
 
 }  // namespace corvo

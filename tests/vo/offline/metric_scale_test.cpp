@@ -34,23 +34,23 @@ TEST(MetricScaleTest, AConstantScaleMultipliesLengthsAndTheirCovariancesOnly) {
   const MetricTransform metric(units, ConstantScale(units, 2.5));
   for (int i = 0; i < 6; ++i) {
     const SE3& pose = *units.frames[i].world_from_camera;
-    EXPECT_EQ(*metric.trajectory().frames[i].world_from_camera,
+    EXPECT_EQ(*metric.Apply(units).frames[i].world_from_camera,
               SE3(pose.rotation(), 2.5 * pose.translation()));
   }
-  const RelativePose& relative = *metric.trajectory().frames[2].relative_pose;
+  const RelativePose& relative = *metric.Apply(units).frames[2].relative_pose;
   EXPECT_NEAR(relative.reference_from_camera.translation().norm(), 5, 1e-12);
   Eigen::Matrix<double, 6, 1> variances;
   variances << 6.25, 6.25, 6.25, 1, 1, 1;
   EXPECT_EQ(relative.covariance, SE3::Matrix6(variances.asDiagonal()));
   EXPECT_EQ(metric.ToMeters({1, {3, 4, 5}}), Eigen::Vector3d(7.5, 10, 12.5));
-  EXPECT_EQ(metric.trajectory().Segments()[0].scale, SegmentScale());
+  EXPECT_EQ(metric.Apply(units).Segments()[0].scale, SegmentScale());
 }
 
 TEST(MetricScaleTest, FramesWithoutAPoseStayWithoutOne) {
   Trajectory units = SixFrames();
   units.frames[1].world_from_camera.reset();
   const MetricTransform metric(units, ConstantScale(units, 2));
-  EXPECT_FALSE(metric.trajectory().frames[1].world_from_camera);
+  EXPECT_FALSE(metric.Apply(units).frames[1].world_from_camera);
   EXPECT_THAT(metric.MetersPerUnit(), testing::ElementsAre(2, 1, 2, 2, 2, 2));
 }
 
@@ -61,7 +61,7 @@ TEST(MetricScaleTest, EachStepHasTheMeanScaleOfItsFrames) {
   scale.frames[2]->meters_per_unit = 4;
   const MetricTransform metric(units, scale);
   const auto position = [&](int i) {
-    return metric.trajectory().frames[i].world_from_camera->translation();
+    return metric.Apply(units).frames[i].world_from_camera->translation();
   };
   EXPECT_EQ(position(0), Eigen::Vector3d(2, 4, 0));
   EXPECT_THAT(position(1) - position(0), test::IsDenseNear(Eigen::Vector3d(0, 0, 2.5), 1e-12));
@@ -74,7 +74,7 @@ TEST(MetricScaleTest, APointIsScaledAboutTheNearestFrame) {
   MetricScale scale = ConstantScale(units, 2);
   scale.frames[2]->meters_per_unit = 4;
   const MetricTransform metric(units, scale);
-  const Eigen::Vector3d camera = metric.trajectory().frames[2].world_from_camera->translation();
+  const Eigen::Vector3d camera = metric.Apply(units).frames[2].world_from_camera->translation();
   EXPECT_THAT(metric.ToMeters({0, {2, 2, 2.5}}) - camera,
               test::IsDenseNear(Eigen::Vector3d(4, 0, 2), 1e-12));
 }
@@ -84,7 +84,7 @@ TEST(MetricScaleTest, TheErrorOfTheScaleLengthensRelativePoses) {
   MetricScale scale = ConstantScale(units, 1);
   scale.frames[2]->log_sigma = 0.1;
   const SE3::Matrix6 covariance =
-      MetricTransform(units, scale).trajectory().frames[2].relative_pose->covariance;
+      MetricTransform(units, scale).Apply(units).frames[2].relative_pose->covariance;
   // The frame is 2 m from its reference, in the direction `along` of its own axes.
   const Eigen::Vector3d along = SO3::Exp({0, 0.5, 0}).Inverse() * Eigen::Vector3d::UnitZ();
   const Eigen::Matrix3d added = covariance.topLeftCorner<3, 3>() - Eigen::Matrix3d::Identity();
@@ -96,7 +96,7 @@ TEST(MetricScaleTest, AKnownDistanceIsThatOfItsSegment) {
   const Trajectory units = SixFrames();
   const MetricTransform metric(units, ScaleOfDistance(units, {0, 2, 5}));
   EXPECT_THAT(metric.MetersPerUnit(), testing::ElementsAre(2.5, 2.5, 2.5, 1, 1, 1));
-  const std::vector<Segment> segments = metric.trajectory().Segments();
+  const std::vector<Segment> segments = metric.Apply(units).Segments();
   EXPECT_EQ(segments[0].scale.source, ScaleSource::kKnownDistance);
   EXPECT_EQ(segments[1].scale.source, ScaleSource::kArbitrary);
 }
@@ -143,7 +143,7 @@ TEST(MetricScaleTest, TheCameraHasItsHeightAboveTheGround) {
   }
   const MetricTransform metric(units, ScaleOfCameraHeight(units, points, 1.65));
   EXPECT_NEAR(metric.ToMeters({0, {0.05, 0.11, 2}}).y(), 1.65, 0.01);
-  const SegmentScale scale = metric.trajectory().Segments()[0].scale;
+  const SegmentScale scale = metric.Apply(units).Segments()[0].scale;
   EXPECT_EQ(scale.source, ScaleSource::kCameraHeight);
   EXPECT_GT(*scale.factor, 1);
   EXPECT_LT(*scale.factor, 1.01);
