@@ -37,7 +37,7 @@ TEST(MetricScaleTest, AConstantScaleMultipliesLengthsAndTheirCovariancesOnly) {
     EXPECT_EQ(*metric.Apply(units).frames[i].world_from_camera,
               SE3(pose.rotation(), 2.5 * pose.translation()));
   }
-  const RelativePose& relative = *metric.Apply(units).frames[2].relative_pose;
+  const RelativePose relative = *metric.Apply(units).frames[2].relative_pose;
   EXPECT_NEAR(relative.reference_from_camera.translation().norm(), 5, 1e-12);
   Eigen::Matrix<double, 6, 1> variances;
   variances << 6.25, 6.25, 6.25, 1, 1, 1;
