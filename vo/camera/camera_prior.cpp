@@ -163,7 +163,7 @@ std::vector<FreeParameter> Posterior(std::vector<FreeParameter> free,
 }
 
 double InformationGain(const FreeParameter& parameter, double sigma) {
-  return 1 - std::pow(sigma / parameter.sigma, 2);
+  return std::max(0.0, 1 - std::pow(sigma / parameter.sigma, 2));
 }
 
 double ValueOf(const CameraParameters& camera, const std::string& name) {

@@ -379,7 +379,8 @@ struct CalibrationOptions {
   double center_sigma_share = 0.006;  // docs/calibration.md
   double tangential_sigma = 0.002;    // docs/calibration.md
   int block_keyframes = 30;           // ablation
-  int max_keyframes = 60;             // ablation
+  int max_keyframes = 200;            // ablation
+  double max_displacement_px = 0.2;   // The measured noise of aligned keypoints.
   int points_per_keyframe = 200;      // ablation
   int max_points = 4000;              // ablation
   int max_iterations = 10;            // ablation
@@ -414,6 +415,8 @@ struct CalibrationOptions {
           "keyframes of a block; the camera is estimated from all blocks");
     field("max_keyframes", self.max_keyframes, 2, 1000,
           "newest keyframes that are adjusted to an estimate of the camera");
+    field("max_displacement_px", self.max_displacement_px, 0.0, 1000.0,
+          "largest displacement of a pixel by an estimate to which no keyframes are adjusted");
     field("points_per_keyframe", self.points_per_keyframe, 10, 100000,
           "points of each keyframe in an estimate, longest tracks first");
     field("max_points", self.max_points, 10, 10000000, "points of an estimate, about");

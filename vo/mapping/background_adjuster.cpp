@@ -49,7 +49,8 @@ BackgroundAdjuster::BackgroundAdjuster(const CameraPrior& prior, const OdometryO
     : prior_(CheckedPrior(prior, options.calibration)),
       options_(options),
       finished_(prior_, options.calibration.stated_share),
-      estimate_(finished_.Estimate()) {}
+      estimate_(finished_.Estimate()),
+      adjusted_to_(prior_.given) {}
 
 void BackgroundAdjuster::Start(int frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;
@@ -138,16 +139,12 @@ void BackgroundAdjuster::StartCalibration(int frame, const Map& map) {
   block_.newest = keyframes.back();
   calibration_.due_frame =
       frame + std::min(options.max_latency_frames, block_.num_keyframes + options.latency_frames);
-  CameraEstimator estimator(prior_, estimate_, options, finished_,
-                            CopyBundle(map, {keyframes, {}, map.FindObserved(keyframes)}));
-  // The estimate of all blocks is that of the only one if it frees the same parameters.
-  const bool may_differ =
-      static_cast<int>(prior_.IndicesWithoutEvidence().size()) < prior_.num_free();
-  if (finished_.size() > 0 || may_differ) {
-    estimator.AdjustToCamera(
-        CopyBundle(map, SelectNewestKeyframes(map, block_.newest, options.max_keyframes,
-                                              options_.bundle_adjuster)));
-  }
+  CameraEstimator estimator(
+      prior_, estimate_, options, finished_,
+      CopyBundle(map, {keyframes, {}, map.FindObserved(keyframes)}),
+      CopyBundle(map, SelectNewestKeyframes(map, block_.newest, options.max_keyframes,
+                                            options_.bundle_adjuster)),
+      adjusted_to_);
   calibration_.result = std::async(std::launch::async, std::move(estimator));
 }
 
@@ -167,13 +164,12 @@ AdjustmentStatus BackgroundAdjuster::UseCalibration(Map& map) {
   }
   if (!is_used) return result.status;
   prior_rejected_ = !prior_.PassesChiSquareTest(result.estimate.difference);
-  if (!prior_rejected_) WriteBack(result.bundle, map);
   estimate_ = prior_rejected_ ? PriorEstimate(prior_) : result.estimate;
-  const Camera camera(prior_.Apply(estimate_.difference));
-  if (camera != map.camera()) {
-    map.SetCamera(camera);
-    newest_ = kNoId;  // The newest keyframes must be adjusted to the new camera.
-  }
+  map.SetCamera(Camera(prior_.Apply(estimate_.difference)));
+  if (prior_rejected_ || !result.bundle) return result.status;
+  WriteBack(*result.bundle, map);
+  adjusted_to_ = map.camera();
+  newest_ = kNoId;  // Keyframes that were inserted since must be adjusted to the new camera.
   return result.status;
 }
 

@@ -4,6 +4,7 @@
 #include <future>
 #include <vector>
 
+#include "vo/camera/camera.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/adjustment_status.h"
 #include "vo/core/conventions.h"
@@ -94,6 +95,7 @@ class BackgroundAdjuster {
   KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
   CameraBlocks finished_;      // All but the newest block.
   CameraEstimate estimate_;
+  Camera adjusted_to_;  // The camera that the map's keyframes were adjusted to.
   int num_finished_keyframes_ = 0;
   Block block_;
   bool prior_rejected_ = false;

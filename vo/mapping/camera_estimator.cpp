@@ -2,10 +2,17 @@
 #include "vo/mapping/camera_estimator.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "vo/camera/camera_displacement.h"
+#include "vo/math/chi_square.h"
+#include "vo/math/huber.h"
 #include "vo/optimization/bundle_adjuster.h"
+#include "vo/optimization/camera_covariance.h"
+#include "vo/optimization/point_selection.h"
 
 namespace corvo {
 namespace {
@@ -17,35 +24,87 @@ BundleAdjuster AdjusterOf(const Bundle& bundle, const CalibrationOptions& option
   return BundleAdjuster(CalibrationAdjustment(options, static_cast<int>(num_free)));
 }
 
+/// Gives the observations of a bundle the weights of Huber's loss, by their standard deviations
+/// (iteratively reweighted least squares), and marks gross errors as outliers.
+void WeighRobustly(const Camera& camera, const CalibrationOptions& options, Bundle& bundle) {
+  const double threshold = kChiSquare2Dof95;
+  const double largest = options.gross_error_sigmas * options.gross_error_sigmas;
+  VisitErrors(camera, bundle, [&](Bundle::Observation& observation, double error) {
+    observation.is_inlier = error <= largest;
+    if (observation.is_inlier)
+      observation.sigma_px /= std::sqrt(HuberLoss(error, threshold).weight);
+  });
+}
+
 }  // namespace
 
 CameraEstimator::CameraEstimator(const CameraPrior& prior, const CameraEstimate& before,
                                  const CalibrationOptions& options, const CameraBlocks& finished,
-                                 Bundle block)
+                                 Bundle block, Bundle kept, const Camera& kept_camera)
     : prior_(prior),
       before_(before),
       options_(options),
       finished_(finished),
-      block_(std::move(block)) {}
+      block_(std::move(block)),
+      kept_(std::move(kept)),
+      kept_camera_(kept_camera) {}
 
 CalibratedBundle CameraEstimator::operator()() const {
-  std::vector<Bundle> bundles{block_};
-  const AdjustmentSummary of_block =
-      AdjusterOf(block_, options_).Adjust(prior_, prior_.Apply(before_.difference), bundles);
-  CalibratedBundle result{of_block.status, bundles.front(), of_block.information, before_};
-  if (!of_block.is_usable()) return result;
-  CameraBlocks all = finished_;
-  all.Add(of_block.information);
-  const CameraEstimate estimate = all.Estimate();
-  if (newest_) {
-    const std::optional<Camera> camera = Camera::Make(prior_.Apply(estimate.difference));
+  CalibratedBundle result{AdjustmentStatus::kConverged, {}, {}, before_};
+  result.of_block = InformationOf(block_, before_.difference);
+  CameraEstimate estimate = EstimateWith(result.of_block);
+  if (IsFar(estimate)) {
+    result.status = EstimateFar(result.of_block);
+    if (!IsUsable(result.status)) return result;
+    estimate = EstimateWith(result.of_block);
+  }
+  const std::optional<Camera> camera = Camera::Make(prior_.Apply(estimate.difference));
+  if (!camera) {
     result.status = AdjustmentStatus::kInvalidCamera;
-    if (!camera) return result;
-    result.bundle = *newest_;
-    result.status = AdjusterOf(*newest_, options_).Adjust(*camera, result.bundle).status;
+  } else if (LargestDisplacement(kept_camera_, *camera) > options_.max_displacement_px) {
+    result.bundle = kept_;
+    result.status = AdjusterOf(kept_, options_).Adjust(*camera, *result.bundle).status;
   }
   if (IsUsable(result.status)) result.estimate = estimate;
   return result;
+}
+
+CameraEstimate CameraEstimator::EstimateWith(const CameraInformation& of_block) const {
+  CameraBlocks all = finished_;
+  all.Add(of_block);
+  return all.Estimate();
+}
+
+bool CameraEstimator::IsFar(const CameraEstimate& estimate) const {
+  constexpr double kTrustedShare = 0.01;
+  const Camera before(prior_.Apply(before_.difference));
+  const std::optional<Camera> camera = Camera::Make(prior_.Apply(estimate.difference));
+  return !camera || LargestDisplacement(before, *camera) > kTrustedShare * before.width();
+}
+
+AdjustmentStatus CameraEstimator::EstimateFar(CameraInformation& of_block) const {
+  std::vector<Bundle> bundles{block_};
+  const AdjustmentSummary summary =
+      AdjusterOf(block_, options_).Adjust(prior_, prior_.Apply(before_.difference), bundles);
+  if (!summary.is_usable()) return summary.status;
+  const Eigen::VectorXd& difference = summary.estimate.difference;
+  of_block.matrix = InformationOf(bundles.front(), difference).matrix;
+  // At the least cost, the gradients of the observations and of the prior cancel out.
+  of_block.vector = (of_block.matrix + PriorInformation(prior_)) * difference;
+  return summary.status;
+}
+
+CameraInformation CameraEstimator::InformationOf(Bundle block,
+                                                 const Eigen::VectorXd& difference) const {
+  WeighRobustly(Camera(prior_.Apply(difference)), options_, block);
+  const int num_views = static_cast<int>(block.views.size());
+  const int points_per_view = CalibrationAdjustment(options_, num_views).points_per_view;
+  std::vector<Bundle> bundles{std::move(block)};
+  CameraInformation information = ObservedInformation(
+      prior_, {bundles, {SelectPoints(bundles.front(), points_per_view)}, difference});
+  information.matrix *= options_.information_factor;
+  information.vector *= options_.information_factor;
+  return information;
 }
 
 }  // namespace corvo

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <utility>
 
+#include <optional>
+
+#include "vo/camera/camera.h"
 #include "vo/camera/camera_information.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/adjustment_status.h"
@@ -13,37 +15,46 @@
 
 namespace corvo {
 
-/// The keyframes that were adjusted to a new estimate of the camera.
+/// A new estimate of the camera, and the keyframes that were adjusted to it.
 struct CalibratedBundle {
   AdjustmentStatus status = AdjustmentStatus::kNone;
-  Bundle bundle;
+  /// Unset if the estimate is so near to the camera of before that nothing had to be adjusted.
+  std::optional<Bundle> bundle;
   CameraInformation of_block;
   CameraEstimate estimate;  ///< From all blocks; that of before unless the status is usable.
 };
 
-/// An estimate of the camera from a block of keyframes and the blocks before it. It does not refer
-/// to the map.
+/// An estimate of the camera from a block of keyframes and the blocks before it. Without a gauge,
+/// the block is linearized at the map with Huber's weights, which makes the estimate a step of the
+/// Gauss-Newton method; if the step is too long for that, at the minimum of the block's error. It
+/// does not refer to the map.
 class CameraEstimator {
  public:
-  /// `before` is the estimate so far; `block` has no fixed views.
+  /// `before` is the estimate so far; `block` has no fixed views; `kept` has the keyframes that are
+  /// to be adjusted to the estimate, and `kept_camera` the camera that they were adjusted to.
   CameraEstimator(const CameraPrior& prior, const CameraEstimate& before,
-                  const CalibrationOptions& options, const CameraBlocks& finished, Bundle block);
+                  const CalibrationOptions& options, const CameraBlocks& finished, Bundle block,
+                  Bundle kept, const Camera& kept_camera);
 
-  /// Has these keyframes adjusted to the estimate, in place of the block. To be called if the
-  /// estimate may differ from that of the block alone.
-  void AdjustToCamera(Bundle newest) { newest_ = std::move(newest); }
-
-  /// Adjusts the block together with the camera, without a gauge, and then, if there are any, the
-  /// other keyframes to the estimate of all blocks.
   CalibratedBundle operator()() const;
 
  private:
+  /// Returns the estimate from all blocks.
+  CameraEstimate EstimateWith(const CameraInformation& of_block) const;
+  /// Returns whether an estimate is too far from the one before for a linearization there.
+  bool IsFar(const CameraEstimate& estimate) const;
+  /// Sets what the block tells of the camera, linearized at its minimum, if the status is usable.
+  AdjustmentStatus EstimateFar(CameraInformation& of_block) const;
+  /// Returns what a block tells of the camera, linearized at a difference from the given one.
+  CameraInformation InformationOf(Bundle block, const Eigen::VectorXd& difference) const;
+
   CameraPrior prior_;
   CameraEstimate before_;
   CalibrationOptions options_;
   CameraBlocks finished_;
   Bundle block_;
-  std::optional<Bundle> newest_;
+  Bundle kept_;
+  Camera kept_camera_;
 };
 
 }  // namespace corvo

@@ -128,13 +128,9 @@ class Adjustment {
   void SetSolution() {
     summary_.camera = camera_.parameters();
     summary_.estimate.difference = state_.difference;
-    const Eigen::MatrixXd information = ObservedInformation(prior_, state_);
     summary_.estimate.covariance =
-        CameraCovariance(prior_, information) / options_.information_factor;
-    // At the least cost, the gradients of the observations and of the prior cancel out.
-    summary_.information = {
-        options_.information_factor * information,
-        options_.information_factor * (information + PriorInformation(prior_)) * state_.difference};
+        CameraCovariance(prior_, ObservedInformation(prior_, state_).matrix) /
+        options_.information_factor;
   }
 
   const AdjustmentOptions& options_;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "vo/camera/camera_information.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/adjustment_status.h"
 #include "vo/core/options.h"
@@ -59,7 +58,6 @@ struct AdjustmentSummary {
   /// The camera's estimate, see CameraCovariance. Its covariance is empty unless the status is
   /// usable.
   CameraEstimate estimate;
-  CameraInformation information;  ///< Of the images alone. Set only if the status is usable.
 
   bool is_usable() const { return IsUsable(status); }
 };

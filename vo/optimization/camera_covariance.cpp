@@ -26,16 +26,21 @@ Eigen::MatrixXd Invert(const Eigen::MatrixXd& information) {
 
 }  // namespace
 
-Eigen::MatrixXd ObservedInformation(const CameraPrior& prior, const AdjustmentState& state) {
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(prior.num_free(), prior.num_free());
-  if (prior.num_free() == 0) return information;
+CameraInformation ObservedInformation(const CameraPrior& prior, const AdjustmentState& state) {
+  const int num_free = prior.num_free();
+  CameraInformation sum{Eigen::MatrixXd::Zero(num_free, num_free), Eigen::VectorXd::Zero(num_free)};
+  if (num_free == 0) return sum;
   const DifferentiableCamera adjusted(prior, state.difference);
   for (std::size_t i = 0; i < state.bundles.size(); ++i) {
     const Bundle& bundle = state.bundles[i];
-    information += ReducedInformation(bundle, state.is_joint[i], adjusted, prior.num_free())
-                       .MarginalizePoses(bundle.views);
+    const CameraInformation of_change =
+        ReducedInformation(bundle, state.is_joint[i], adjusted, num_free)
+            .MarginalizePoses(bundle.views);
+    sum.matrix += of_change.matrix;
+    sum.vector += of_change.vector;
   }
-  return information;
+  sum.vector += sum.matrix * state.difference;
+  return sum;
 }
 
 Eigen::MatrixXd CameraCovariance(const CameraPrior& prior, const Eigen::MatrixXd& information) {

@@ -20,6 +20,7 @@ std::optional<LinearizedObservation> Linearize(const DifferentiableCamera& adjus
   by_camera_point /= observation.sigma_px;
   LinearizedObservation linearized;
   linearized.view = observation.view;
+  linearized.error = (observation.pixel - *pixel) / observation.sigma_px;
   linearized.by_pose << -by_camera_point, by_camera_point * SO3::Hat(in_camera);
   linearized.by_point = by_camera_point * camera_from_local.rotation().matrix();
   linearized.by_camera = adjusted.PixelByDifference(in_camera, *pixel) / observation.sigma_px;
@@ -50,7 +51,9 @@ void VisitLinearizedPoints(
 ReducedInformation::ReducedInformation(const Bundle& bundle, const std::vector<char>& is_joint,
                                        const DifferentiableCamera& camera, int num_free)
     : pose_camera_(Eigen::MatrixXd::Zero(6 * static_cast<int>(bundle.views.size()), num_free)),
-      camera_(Eigen::MatrixXd::Zero(num_free, num_free)) {
+      camera_(Eigen::MatrixXd::Zero(num_free, num_free)),
+      pose_vector_(Eigen::VectorXd::Zero(pose_camera_.rows())),
+      camera_vector_(Eigen::VectorXd::Zero(num_free)) {
   VisitLinearizedPoints(bundle, is_joint, camera,
                         [&](int /*point*/, const auto& observations) { AddPoint(observations); });
 }
@@ -68,21 +71,24 @@ Eigen::SparseMatrix<double> ReducedInformation::PoseMatrix() const {
   return matrix;
 }
 
-Eigen::MatrixXd ReducedInformation::MarginalizePoses(const std::vector<Bundle::View>& views) {
+CameraInformation ReducedInformation::MarginalizePoses(const std::vector<Bundle::View>& views) {
   constexpr double kFixed = 1e12, kGauge = 1e-3;
   for (int view = 0; view < static_cast<int>(views.size()); ++view) {
     const bool is_known = views[view].is_fixed || view == 0;
     Block(view, view).diagonal().array() += is_known ? kFixed : kGauge;
   }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> poses(PoseMatrix());
-  return camera_ - pose_camera_.transpose() * poses.solve(pose_camera_);
+  const Eigen::MatrixXd camera_by_pose = poses.solve(pose_camera_).transpose();
+  return {camera_ - camera_by_pose * pose_camera_, camera_vector_ - camera_by_pose * pose_vector_};
 }
 
 void ReducedInformation::AddPoint(const std::vector<LinearizedObservation>& observations) {
   Eigen::Matrix3d point = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d point_vector = Eigen::Vector3d::Zero();
   Eigen::MatrixXd camera_point = Eigen::MatrixXd::Zero(camera_.rows(), 3);
   for (const LinearizedObservation& s : observations) {
     point += s.by_point.transpose() * s.by_point;
+    point_vector += s.by_point.transpose() * s.error;
     camera_point += s.by_camera.transpose() * s.by_point;
   }
   if (point.determinant() < 1e-12) return;
@@ -90,6 +96,7 @@ void ReducedInformation::AddPoint(const std::vector<LinearizedObservation>& obse
   for (const LinearizedObservation& a : observations) {
     const Eigen::Matrix<double, 6, 3> gain = a.by_pose.transpose() * a.by_point * covariance;
     Block(a.view, a.view) += a.by_pose.transpose() * a.by_pose;
+    pose_vector_.segment<6>(6 * a.view) += a.by_pose.transpose() * a.error - gain * point_vector;
     for (const LinearizedObservation& b : observations) {
       if (b.view <= a.view) {
         Block(a.view, b.view) -= gain * (b.by_point.transpose() * b.by_pose);
@@ -100,8 +107,10 @@ void ReducedInformation::AddPoint(const std::vector<LinearizedObservation>& obse
     pose_camera_.middleRows<6>(6 * a.view) +=
         a.by_pose.transpose() * a.by_camera - gain * camera_point.transpose();
     camera_ += a.by_camera.transpose() * a.by_camera;
+    camera_vector_ += a.by_camera.transpose() * a.error;
   }
   camera_ -= camera_point * covariance * camera_point.transpose();
+  camera_vector_ -= camera_point * covariance * point_vector;
 }
 
 SE3::Matrix6& ReducedInformation::Block(int row, int column) {

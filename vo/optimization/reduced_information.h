@@ -9,17 +9,19 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "vo/camera/camera_information.h"
 #include "vo/camera/differentiable_camera.h"
 #include "vo/lie/se3.h"
 #include "vo/optimization/bundle.h"
 
 namespace corvo {
 
-/// The derivatives of an observation's error, in units of sigma, with respect to the pose of its
-/// view (a perturbation on the right), to its point in the bundle's frame, and to the free
-/// parameters of the camera.
+/// The error of an observation, the pixel less its prediction, and the derivatives of the
+/// prediction with respect to the pose of its view (a perturbation on the right), to its point in
+/// the bundle's frame, and to the free parameters of the camera; all in units of sigma.
 struct LinearizedObservation {
   int view = 0;
+  Eigen::Vector2d error;
   Eigen::Matrix<double, 2, 6> by_pose;
   Eigen::Matrix<double, 2, 3> by_point;
   DifferentiableCamera::Jacobian by_camera;
@@ -48,9 +50,9 @@ class ReducedInformation {
   /// column for each free parameter.
   const Eigen::MatrixXd& pose_camera() const { return pose_camera_; }
 
-  /// Returns the information about the camera with the poses marginalized. Fixed views, and the
-  /// oldest one, are known exactly.
-  Eigen::MatrixXd MarginalizePoses(const std::vector<Bundle::View>& views);
+  /// Returns the normal equations of a change of the camera with the poses marginalized. Fixed
+  /// views, and the oldest one, are known exactly.
+  CameraInformation MarginalizePoses(const std::vector<Bundle::View>& views);
 
  private:
   /// Adds the observations of one point.
@@ -61,6 +63,8 @@ class ReducedInformation {
   std::map<std::pair<int, int>, SE3::Matrix6> blocks_;
   Eigen::MatrixXd pose_camera_;
   Eigen::MatrixXd camera_;
+  Eigen::VectorXd pose_vector_;  // The right-hand sides.
+  Eigen::VectorXd camera_vector_;
 };
 
 }  // namespace corvo
