@@ -6,6 +6,13 @@
 
 namespace corvo {
 
+void ScaleLengths(double scale, PoseGraphEdge::Matrix7& covariance,
+                  PoseGraphEdge::Matrix7X& by_camera) {
+  covariance.topRows<3>() *= scale;
+  covariance.leftCols<3>() *= scale;
+  by_camera.topRows<3>() *= scale;
+}
+
 PoseGraph WithPosesOf(const Trajectory& trajectory, const std::vector<double>& scales,
                       PoseGraph graph) {
   std::map<KeyframeId, SE3> poses;
@@ -23,11 +30,7 @@ PoseGraph WithPosesOf(const Trajectory& trajectory, const std::vector<double>& s
   });
   for (PoseGraphEdge& edge : graph.edges) {
     edge.first_from_second = poses.at(edge.first).Inverse() * poses.at(edge.second);
-    const double scale = scale_of.at(edge.second);
-    edge.covariance.topLeftCorner<6, 6>() =
-        ScaleCovariance(scale, edge.covariance.topLeftCorner<6, 6>());
-    edge.covariance.topRightCorner<3, 1>() *= scale;
-    edge.covariance.bottomLeftCorner<1, 3>() *= scale;
+    ScaleLengths(scale_of.at(edge.second), edge.covariance, edge.by_camera);
   }
   return graph;
 }

@@ -22,6 +22,7 @@ struct PoseGraphVertex {
 /// The pose of a keyframe relative to an earlier one of its segment, in the unit of the segment.
 struct PoseGraphEdge {
   using Matrix7 = Eigen::Matrix<double, 7, 7>;
+  using Matrix7X = Eigen::Matrix<double, 7, Eigen::Dynamic>;
 
   KeyframeId first = kNoId;   ///< The earlier keyframe.
   KeyframeId second = kNoId;  ///< The later keyframe.
@@ -30,6 +31,9 @@ struct PoseGraphEdge {
   /// logarithm of the unit of length at the second keyframe in that at the first: the drift of the
   /// scale between them.
   Matrix7 covariance = Matrix7::Zero();
+  /// How the error depends on that of the camera's parameters, which all edges share. No columns,
+  /// if that is not known.
+  Matrix7X by_camera = Matrix7X(7, 0);
 };
 
 /// The keyframes of a sequence and how well their relative poses are known, for a back end that
@@ -42,7 +46,14 @@ struct PoseGraphEdge {
 struct PoseGraph {
   std::vector<PoseGraphVertex> vertices;  ///< In ascending order of keyframes.
   std::vector<PoseGraphEdge> edges;       ///< In ascending order of `second`, then `first`.
+  /// Covariance of the error of the newest estimate of the camera, a row for each free parameter.
+  Eigen::MatrixXd camera_covariance;
 };
+
+/// Expresses an edge's covariance, and how its error depends on the camera, in another unit of
+/// length: lengths are multiplied by `scale`.
+void ScaleLengths(double scale, PoseGraphEdge::Matrix7& covariance,
+                  PoseGraphEdge::Matrix7X& by_camera);
 
 /// Returns a graph with the poses of a trajectory of the same sequence, such as a refined one,
 /// whose unit of length at frame i is 1 / `scales[i]` of that of the graph. Keyframes without a

@@ -49,21 +49,39 @@ void KeyframeEdges::AddKeyframe(const Map& map, const PoseUncertainty& uncertain
   frames_[newest] = map.keyframe(newest).frame.index;
   for (const KeyframeId earlier : EarlierNeighbors(map, newest)) {
     frames_.try_emplace(earlier, map.keyframe(earlier).frame.index);
-    edges_[{newest, earlier}] = {map.SegmentOf(newest),
-                                 uncertainty.Between(map, earlier, newest, camera),
-                                 uncertainty.factor() * LogScaleVariance(map, earlier, newest)};
+    Edge& edge = edges_[{newest, earlier}];
+    edge.segment = map.SegmentOf(newest);
+    edge.covariance.topLeftCorner<6, 6>() = uncertainty.Between(map, earlier, newest, camera);
+    edge.covariance(6, 6) = uncertainty.factor() * LogScaleVariance(map, earlier, newest);
   }
+}
+
+KeyframeEdges::Edge KeyframeEdges::Renewed(const Edge& before,
+                                           const KeyframeInnovations& innovations, int first,
+                                           int second, double factor) {
+  PoseGraphEdge::Matrix7X by_innovations = innovations.ByInnovations(first, second);
+  if (!innovations.KnowsScale(second)) by_innovations.row(6).setZero();
+  Edge edge = before;
+  edge.covariance = factor * by_innovations * by_innovations.transpose();
+  if (!innovations.KnowsScale(second)) edge.covariance(6, 6) = before.covariance(6, 6);
+  edge.by_camera = innovations.ByCamera(by_innovations);
+  return edge;
 }
 
 void KeyframeEdges::Renew(const Map& map, const PoseUncertainty& uncertainty,
                           const CameraEstimate& camera) {
-  const std::vector<KeyframeId>& keyframes = uncertainty.keyframes();
-  if (keyframes.empty()) return;
-  for (auto edge = edges_.lower_bound({keyframes.front(), 0}); edge != edges_.end(); ++edge) {
-    const auto [second, first] = edge->first;
-    if (!std::ranges::binary_search(keyframes, first)) continue;
-    if (!std::ranges::binary_search(keyframes, second)) continue;
-    edge->second.covariance = uncertainty.Between(map, first, second, camera);
+  const KeyframeCovariance& joint = uncertainty.joint();
+  if (joint.keyframes.empty()) return;
+  std::vector<SE3> poses;
+  for (const KeyframeId id : joint.keyframes) poses.push_back(map.WorldFromKeyframe(id));
+  const KeyframeInnovations innovations(joint, poses);
+  for (auto edge = edges_.lower_bound({joint.keyframes.front(), 0}); edge != edges_.end(); ++edge) {
+    const int first = joint.Find(edge->first.second), second = joint.Find(edge->first.first);
+    if (first == kNoId || second == kNoId) continue;
+    edge->second = Renewed(edge->second, innovations, first, second, uncertainty.factor());
+    const PoseGraphEdge::Matrix7X& by_camera = edge->second.by_camera;
+    if (by_camera.cols() == 0) continue;
+    edge->second.covariance += by_camera * camera.covariance * by_camera.transpose();
   }
 }
 
@@ -71,8 +89,17 @@ void KeyframeEdges::JoinSegments(const SegmentJoin& join) {
   for (auto& [keyframes, edge] : edges_) {
     if (edge.segment != join.later) continue;
     edge.segment = join.earlier;
-    edge.covariance = ScaleCovariance(join.earlier_from_later.scale(), edge.covariance);
+    ScaleLengths(join.earlier_from_later.scale(), edge.covariance, edge.by_camera);
   }
+}
+
+std::size_t KeyframeEdges::num_bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [keyframes, edge] : edges_) {
+    sum += sizeof(Edges::value_type) +
+           static_cast<std::size_t>(edge.by_camera.size()) * sizeof(double);
+  }
+  return sum;
 }
 
 PoseGraph KeyframeEdges::ToGraph(const Map& map) const {
@@ -89,8 +116,8 @@ PoseGraph KeyframeEdges::ToGraph(const Map& map) const {
     added.second = second;
     added.first_from_second =
         map.WorldFromKeyframe(first).Inverse() * map.WorldFromKeyframe(second);
-    added.covariance.topLeftCorner<6, 6>() = num_edges[second] * edge.covariance;
-    added.covariance(6, 6) = num_edges[second] * edge.log_scale_variance;
+    added.covariance = num_edges[second] * edge.covariance;
+    added.by_camera = edge.by_camera;
   }
   return graph;
 }

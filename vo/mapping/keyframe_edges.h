@@ -12,6 +12,7 @@
 #include "vo/map/map.h"
 #include "vo/map/pose_graph.h"
 #include "vo/mapping/pose_uncertainty.h"
+#include "vo/optimization/keyframe_innovations.h"
 
 namespace corvo {
 
@@ -31,14 +32,18 @@ class KeyframeEdges {
   /// Returns the graph with the poses of the map.
   PoseGraph ToGraph(const Map& map) const;
 
-  std::size_t num_bytes() const { return edges_.size() * sizeof(Edges::value_type); }
+  std::size_t num_bytes() const;
 
  private:
   struct Edge {
     int segment = 0;
-    SE3::Matrix6 covariance = SE3::Matrix6::Zero();
-    double log_scale_variance = 0;
+    PoseGraphEdge::Matrix7 covariance = PoseGraphEdge::Matrix7::Zero();
+    PoseGraphEdge::Matrix7X by_camera = PoseGraphEdge::Matrix7X(7, 0);
   };
+  /// Returns the edge between two keyframes of the joint covariance, given their positions, where
+  /// their scale is that of `before` as long as too few keyframes follow.
+  static Edge Renewed(const Edge& before, const KeyframeInnovations& innovations, int first,
+                      int second, double factor);
   using Edges = std::map<std::pair<KeyframeId, KeyframeId>, Edge>;  // By the later, the earlier.
 
   Edges edges_;
@@ -47,7 +52,9 @@ class KeyframeEdges {
 
 /// Returns the variance of the logarithm of the scale that the common landmarks of two keyframes
 /// transfer from one to the other, in units of the variance of image measurements: that of the
-/// weighted mean of the landmarks' relative distances. It is at most 1.
+/// weighted mean of the landmarks' relative distances, with the keyframes taken as exact. It is at
+/// most 1. An edge states it until the joint covariance has enough later keyframes, see
+/// KeyframeInnovations.
 double LogScaleVariance(const Map& map, KeyframeId first, KeyframeId second);
 
 }  // namespace corvo

@@ -57,6 +57,12 @@ void Mapper::AdaptToJoin(const SegmentJoin& join, const Map& map) {
   uncertainty_.ComputeWindow(map, unfused_);
 }
 
+PoseGraph Mapper::GetPoseGraph(const Map& map) const {
+  PoseGraph graph = edges_.ToGraph(map);
+  graph.camera_covariance = camera_estimate().covariance;
+  return graph;
+}
+
 std::optional<UncertaintyToKeyframe> Mapper::UncertaintyOf(const Frame& frame, const Map& map) {
   const KeyframeId newest = map.num_keyframes() - 1;
   const bool is_newest = map.keyframe(newest).frame.index == frame.index;

@@ -48,7 +48,7 @@ class Mapper {
   void AdaptToJoin(const SegmentJoin& join, const Map& map);
 
   /// Returns the graph of all keyframes so far.
-  PoseGraph GetPoseGraph(const Map& map) const { return edges_.ToGraph(map); }
+  PoseGraph GetPoseGraph(const Map& map) const;
   std::size_t num_edge_bytes() const { return edges_.num_bytes(); }
 
   /// Returns the uncertainty of a located frame relative to a keyframe: of the newest keyframe

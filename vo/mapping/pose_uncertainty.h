@@ -55,8 +55,8 @@ class PoseUncertainty {
   SE3::Matrix6 Between(const Map& map, KeyframeId first, KeyframeId second,
                        const CameraEstimate& camera) const;
 
-  /// Returns the keyframes of the joint covariance, in ascending order.
-  const std::vector<KeyframeId>& keyframes() const { return joint_.keyframes; }
+  /// Returns the joint covariance of the newest keyframes.
+  const KeyframeCovariance& joint() const { return joint_; }
   /// Returns the factor from the covariance of the measurement model to the one that is stated: the
   /// measured variance of the newest frame, and the correlation of errors between frames.
   double factor() const { return factor_; }

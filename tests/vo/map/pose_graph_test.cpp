@@ -45,6 +45,15 @@ TEST(PoseGraphTest, TakesThePosesOfATrajectory) {
   EXPECT_EQ(graph.edges[1].covariance, PoseGraphEdge::Matrix7(variances.asDiagonal()));
 }
 
+TEST(PoseGraphTest, WhatTheCameraCausesHasTheUnitOfTheTrajectory) {
+  PoseGraph graph = ThreeKeyframes();
+  graph.edges[1].by_camera = Eigen::VectorXd::Ones(7);
+  const PoseGraph scaled = WithPosesOf(FiveFrames(), {9, 9, 9, 9, 4}, graph);
+  Eigen::Matrix<double, 7, 1> by_camera;
+  by_camera << 4, 4, 4, 1, 1, 1, 1;
+  EXPECT_EQ(scaled.edges[1].by_camera, PoseGraphEdge::Matrix7X(by_camera));
+}
+
 TEST(PoseGraphTest, LeavesOutKeyframesWithoutAPoseOfTheirSegment) {
   Trajectory trajectory = FiveFrames();
   trajectory.frames[0].segment = 1;

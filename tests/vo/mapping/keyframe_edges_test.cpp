@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <vector>
+
+#include <Eigen/Cholesky>
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
@@ -68,6 +71,31 @@ TEST_F(KeyframeEdgesTest, AreRenewedFromALaterWindow) {
   edges_.Renew(map_, uncertainty_, {});
   const SE3::Matrix6 after = edges_.ToGraph(map_).edges[3].covariance.topLeftCorner<6, 6>();
   EXPECT_THAT(after, test::IsMatrixNear(uncertainty_.factor() * before, 1e-9 * after.norm()));
+}
+
+TEST_F(KeyframeEdgesTest, TheScaleHasTheErrorsOfTheKeyframesThatHandItOn) {
+  PoseUncertainty uncertainty{{test::PinholeCamera().parameters(), {}}, {}};
+  KeyframeEdges edges;
+  std::vector<test::SceneView> views;
+  for (int i = 0; i < 2 * kNumViews; ++i) {
+    const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), {0.3 * i, 0, 0.2 * i});
+    views.push_back(test::ObserveScene(scene_, test::PinholeCamera(), pose, kSigmaPx, random_));
+    views.back().frame.index = 10 * i;
+    if (i < kNumViews) continue;
+    Map map = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
+    uncertainty.ComputeWindow(map, i);
+    edges.AddKeyframe(map, uncertainty, {});
+    edges.Renew(map, uncertainty, {});
+  }
+  const Map map = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
+  const PoseGraph graph = edges.ToGraph(map);
+  const auto edge = std::ranges::find_if(
+      graph.edges, [](const PoseGraphEdge& e) { return e.first == 5 && e.second == 6; });
+  ASSERT_NE(edge, graph.edges.end());
+  const PoseGraphEdge::Matrix7 covariance = edge->covariance / 4;
+  EXPECT_GT(covariance(6, 6), 2 * uncertainty.factor() * LogScaleVariance(map, 5, 6));
+  EXPECT_GT(covariance.col(6).head<6>().norm(), 0) << "with the error of the pose";
+  EXPECT_EQ(covariance.llt().info(), Eigen::Success);
 }
 
 TEST_F(KeyframeEdgesTest, AJoinExpressesTheLaterSegmentInTheUnitOfTheEarlier) {

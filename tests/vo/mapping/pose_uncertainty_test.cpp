@@ -88,7 +88,7 @@ TEST_F(PoseUncertaintyTest, IsUnknownWithoutOtherKeyframes) {
   frame_.landmarks.assign(frame_.landmarks.size(), kNoId);
   EXPECT_FALSE(uncertainty.OfFrame(map_, frame_, {}));
   uncertainty.AddKeyframe(map_, frame_);
-  EXPECT_THAT(uncertainty.keyframes(), ::testing::ElementsAre(kNumViews - 1));
+  EXPECT_THAT(uncertainty.joint().keyframes, ::testing::ElementsAre(kNumViews - 1));
 }
 
 TEST_F(PoseUncertaintyTest, AddedKeyframesAreAboutAsCertainAsAdjustedOnes) {
