@@ -15,6 +15,9 @@ namespace {
 using Vector3 = Eigen::Vector3d;
 using Matrix7 = PoseGraphEdge::Matrix7;
 
+using Matrix7X = PoseGraphEdge::Matrix7X;
+using Vector7 = Eigen::Matrix<double, 7, 1>;
+
 /// An infinitesimal similarity: how it moves the point q.
 struct Motion {
   Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
@@ -24,10 +27,18 @@ struct Motion {
 };
 
 /// Returns a factor L of the covariance: L L^T = C.
-Matrix7 RootOf(const Matrix7& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Matrix7> solver(covariance);
+template <typename Matrix>
+Matrix RootOf(const Matrix& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(covariance);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
+
+/// The errors of a keyframe relative to the one before it: L u + S v, u, v ~ N(0, I), where v is
+/// the same for all keyframes.
+struct EdgeError {
+  Matrix7 independent = Matrix7::Zero();  // L
+  Matrix7X common = Matrix7X(7, 0);       // S
+};
 
 /// The keyframes of one segment and the errors between them.
 class Chain {
@@ -38,16 +49,13 @@ class Chain {
   }
 
   /// Adds the error of the newest vertex relative to the one before it.
-  void AddError(const Matrix7& covariance) {
-    errors_.push_back({vertices_.size() - 1, RootOf(covariance)});
-  }
+  void AddError(const EdgeError& error) { errors_.push_back({vertices_.size() - 1, error}); }
 
   void Solve(std::vector<double>& sigmas) {
     Center();
     std::vector<double> variances(poses_.size(), 0);
-    for (const Error& error : errors_) {
-      for (int column = 0; column < 7; ++column) Add(error, column, variances);
-    }
+    AddIndependent(variances);
+    AddCommon(variances);
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       sigmas[vertices_[k]] = std::sqrt(variances[k]);
     }
@@ -56,8 +64,29 @@ class Chain {
  private:
   struct Error {
     std::size_t vertex = 0;  ///< It moves this vertex and all that follow.
-    Matrix7 root;
+    EdgeError parts;
   };
+
+  void AddIndependent(std::vector<double>& variances) const {
+    for (const Error& error : errors_) {
+      for (int column = 0; column < 7; ++column) {
+        std::vector<Vector3> moved(poses_.size(), Vector3::Zero());
+        Move(error.vertex, error.parts.independent.col(column), moved);
+        AddSquares(moved, variances);
+      }
+    }
+  }
+
+  void AddCommon(std::vector<double>& variances) const {
+    std::vector<std::vector<Vector3>> common;  // Displacements by each column of S.
+    for (const Error& error : errors_) {
+      for (Eigen::Index column = 0; column < error.parts.common.cols(); ++column) {
+        if (column == std::ssize(common)) common.emplace_back(poses_.size(), Vector3::Zero());
+        Move(error.vertex, error.parts.common.col(column), common[column]);
+      }
+    }
+    for (const std::vector<Vector3>& moved : common) AddSquares(moved, variances);
+  }
 
   void Center() {
     Vector3 mean = Vector3::Zero();
@@ -74,38 +103,34 @@ class Chain {
                             .pseudoInverse();
   }
 
-  /// Adds the variances due to one column of an error's root.
-  void Add(const Error& error, int column, std::vector<double>& variances) const {
-    const Motion motion = MotionOf(error, column);
-    const Motion aligned = FitTo(motion, error.vertex);
-    for (std::size_t k = 0; k < positions_.size(); ++k) {
-      Vector3 moved = -aligned.At(positions_[k]);
-      if (k >= error.vertex) moved += motion.At(positions_[k]);
-      variances[k] += moved.squaredNorm();
+  /// Moves a vertex and all that follow by an error [υ ω λ] in the axes of the vertex.
+  void Move(std::size_t vertex, const Vector7& error, std::vector<Vector3>& moved) const {
+    const SO3& rotation = poses_[vertex].rotation();
+    const Vector3& origin = positions_[vertex];
+    Motion motion;
+    motion.turn = rotation * Vector3(error.segment<3>(3));
+    motion.stretch = error[6];
+    motion.shift =
+        rotation * Vector3(error.head<3>()) - motion.turn.cross(origin) - motion.stretch * origin;
+    for (std::size_t k = vertex; k < moved.size(); ++k) moved[k] += motion.At(positions_[k]);
+  }
+
+  /// Adds the squares of displacements after their alignment.
+  void AddSquares(const std::vector<Vector3>& moved, std::vector<double>& variances) const {
+    const Motion aligned = FitTo(moved);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      variances[k] += (moved[k] - aligned.At(positions_[k])).squaredNorm();
     }
   }
 
-  /// Returns how an error [υ ω λ] in the axes of its vertex moves what follows.
-  Motion MotionOf(const Error& error, int column) const {
-    const SO3& rotation = poses_[error.vertex].rotation();
-    const Vector3& origin = positions_[error.vertex];
-    Motion motion;
-    motion.turn = rotation * Vector3(error.root.block<3, 1>(3, column));
-    motion.stretch = error.root(6, column);
-    motion.shift = rotation * Vector3(error.root.block<3, 1>(0, column)) -
-                   motion.turn.cross(origin) - motion.stretch * origin;
-    return motion;
-  }
-
-  /// Returns the motion of all positions that is nearest to `motion` of those from `first` on.
-  Motion FitTo(const Motion& motion, std::size_t first) const {
+  /// Returns the motion of all positions that is nearest to their displacements.
+  Motion FitTo(const std::vector<Vector3>& moved) const {
     Vector3 sum = Vector3::Zero(), torque = Vector3::Zero();
     double divergence = 0;
-    for (std::size_t k = first; k < positions_.size(); ++k) {
-      const Vector3 moved = motion.At(positions_[k]);
-      sum += moved;
-      torque += positions_[k].cross(moved);
-      divergence += positions_[k].dot(moved);
+    for (std::size_t k = 0; k < positions_.size(); ++k) {
+      sum += moved[k];
+      torque += positions_[k].cross(moved[k]);
+      divergence += positions_[k].dot(moved[k]);
     }
     Motion fit;
     fit.shift = sum / static_cast<double>(positions_.size());
@@ -122,19 +147,32 @@ class Chain {
   Eigen::Matrix3d turn_from_torque_ = Eigen::Matrix3d::Zero();
 };
 
-/// Returns the covariances of the keyframes relative to the ones before them. All edges of a
-/// keyframe to earlier ones share its observations, so that the covariance of each counts as many
-/// times; see PoseGraph.
-std::map<KeyframeId, Matrix7> ErrorsOf(const PoseGraph& graph) {
+/// Returns the parts of the error of an edge of the given covariance: what the camera causes, as
+/// far as it is uncertain in the end, is common to all edges.
+EdgeError PartsOf(const PoseGraphEdge& edge, const Matrix7& covariance,
+                  const Eigen::MatrixXd& camera_root) {
+  if (camera_root.size() == 0 || edge.by_camera.cols() != camera_root.rows()) {
+    return {RootOf(covariance), Matrix7X(7, 0)};
+  }
+  const Matrix7X common = edge.by_camera * camera_root;
+  return {RootOf(Matrix7(covariance - common * common.transpose())), common};
+}
+
+/// Returns the errors of the keyframes relative to the ones before them. All edges of a keyframe to
+/// earlier ones share its observations, so that the covariance of each counts as many times; see
+/// PoseGraph.
+std::map<KeyframeId, EdgeError> ErrorsOf(const PoseGraph& graph) {
   std::map<KeyframeId, int> num_edges;
   std::map<KeyframeId, const PoseGraphEdge*> newest;
   for (const PoseGraphEdge& edge : graph.edges) {
     ++num_edges[edge.second];
     newest[edge.second] = &edge;  // Edges are in ascending order of `first`.
   }
-  std::map<KeyframeId, Matrix7> errors;
+  Eigen::MatrixXd camera_root;
+  if (graph.camera_covariance.size() > 0) camera_root = RootOf(graph.camera_covariance);
+  std::map<KeyframeId, EdgeError> errors;
   for (const auto& [keyframe, edge] : newest) {
-    errors[keyframe] = edge->covariance / num_edges[keyframe];
+    errors[keyframe] = PartsOf(*edge, edge->covariance / num_edges[keyframe], camera_root);
   }
   return errors;
 }
@@ -142,7 +180,7 @@ std::map<KeyframeId, Matrix7> ErrorsOf(const PoseGraph& graph) {
 }  // namespace
 
 std::vector<double> ExpectedDrift(const PoseGraph& graph) {
-  const std::map<KeyframeId, Matrix7> errors = ErrorsOf(graph);
+  const std::map<KeyframeId, EdgeError> errors = ErrorsOf(graph);
   std::map<int, Chain> chains;  // By segment.
   for (std::size_t i = 0; i < graph.vertices.size(); ++i) {
     const PoseGraphVertex& vertex = graph.vertices[i];

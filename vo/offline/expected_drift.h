@@ -11,7 +11,8 @@ namespace corvo {
 /// Returns, for each vertex, the standard deviation of its position (the root of the sum over the
 /// three axes) after the similarity alignment that fits its segment best, in units of the segment:
 /// what is expected of the trajectory's error by the covariances of the edges between successive
-/// keyframes, to first order. Each edge moves, turns and scales all that follows it. What the
+/// keyframes, to first order. Each edge moves, turns and scales all that follows it. Errors of
+/// different edges are independent, but for the error of the camera, which all share. What the
 /// covariances do not contain (wrong matches, moving objects, a lens unlike its model) comes on
 /// top.
 std::vector<double> ExpectedDrift(const PoseGraph& graph);

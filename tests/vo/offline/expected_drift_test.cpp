@@ -78,6 +78,37 @@ TEST(ExpectedDriftTest, IsTheErrorOfTrajectoriesWithSuchErrors) {
   EXPECT_GT(expected.front(), 1.5 * expected[kKeyframes / 4]) << "the ends are the least certain";
 }
 
+TEST(ExpectedDriftTest, TheErrorOfTheCameraIsTheSameForAllEdges) {
+  PoseGraph graph = Bend(30, Sigma(0, 0, 0));
+  const double sigma = 0.01;
+  graph.camera_covariance = Eigen::MatrixXd::Constant(1, 1, sigma * sigma);
+  Eigen::Matrix<double, 7, 1> by_camera;
+  by_camera << 0.01, 0.02, 0.05, 0.001, 0.01, -0.002, 0.1;
+  for (PoseGraphEdge& edge : graph.edges) {
+    edge.by_camera = by_camera;
+    edge.covariance = sigma * sigma * by_camera * by_camera.transpose();
+  }
+  PoseSequence truth, moved = {{0, SE3()}};
+  double scale = 1;
+  for (std::size_t i = 0; i < graph.vertices.size(); ++i) {
+    truth.push_back({static_cast<TimeNs>(i), graph.vertices[i].world_from_camera});
+    if (i == 0) continue;
+    const SE3 step = truth[i - 1].world_from_camera.Inverse() * truth[i].world_from_camera *
+                     SE3::Exp(sigma * by_camera.head<6>());
+    moved.push_back({static_cast<TimeNs>(i), moved.back().world_from_camera *
+                                                 SE3(step.rotation(), scale * step.translation())});
+    scale *= std::exp(sigma * by_camera[6]);
+  }
+  const Evaluation evaluation = Evaluate(moved, truth);
+  const std::vector<double> expected = ExpectedDrift(graph);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const PosePair& pair = evaluation.aligned_pairs[i];
+    const Eigen::Vector3d error =
+        pair.estimate_from_camera.translation() - pair.truth_from_camera.translation();
+    EXPECT_NEAR(expected[i], error.norm(), 0.02 * expected.front()) << i;
+  }
+}
+
 TEST(ExpectedDriftTest, HasTheUnitOfTheGraph) {
   PoseGraph graph = Bend(20, Sigma(0.002, 0.0005, 0.001));
   const std::vector<double> expected = ExpectedDrift(graph);
