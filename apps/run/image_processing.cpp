@@ -137,8 +137,11 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
   BringToMeters(arguments, record);
   record.graph =
       WithPosesOf(record.trajectory, MetersPerUnit(record), record.odometry.GetPoseGraph());
-  SetExpectedDrift(record.graph, record.trajectory);
   record.elapsed_s = watch.ElapsedMs() / 1e3;
+  const Map& map = record.odometry.map();
+  record.check = CheckCalibration(map);
+  WidenFocalLength(record.check, record.odometry.camera_prior(), map.camera().fx(), record.graph);
+  SetExpectedDrift(record.graph, record.trajectory);
   return record;
 }
 

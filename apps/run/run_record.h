@@ -13,6 +13,7 @@
 #include "apps/output/landmark_colors.h"
 #include "apps/output/landmark_spool.h"
 #include "vo/odometry.h"
+#include "vo/offline/calibration_check.h"
 #include "vo/offline/metric_scale.h"
 #include "vo/offline/observation_log.h"
 #include "vo/offline/refiner.h"
@@ -40,6 +41,7 @@ struct RunRecord {
   std::optional<MetricTransform> metric;  ///< Set if the scale was given or determined.
   std::string why_not_metric;  ///< What is not in meters, and why; empty if nothing or not asked.
   PoseGraph graph;             ///< Of the keyframes, in the unit of the trajectory.
+  CalibrationCheck check;
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
   LandmarkColors colors;

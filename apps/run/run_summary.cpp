@@ -284,7 +284,7 @@ RunSummary Summarize(const RunArguments& arguments, const RunInputs& inputs,
   summary.num_landmarks = record.finished->size() + map.num_landmarks();
   summary.why_not_kitti = WhyNotKitti(trajectory);
   summary.residuals = Measure(record.odometry);
-  summary.check = CheckCalibration(map);
+  summary.check = record.check;
   summary.misfitting = FindMisfittingParameters(map);
   summary.calibration = ReportCalibration(record.odometry, record.refinement);
   if (record.refinement) summary.refinement = ReportRefinement(*record.refinement);

@@ -64,4 +64,15 @@ CalibrationCheck CheckCalibration(const Map& map, const CalibrationCheckOptions&
   return check;
 }
 
+void WidenFocalLength(const CalibrationCheck& check, const CameraPrior& prior, double fx,
+                      PoseGraph& graph) {
+  if (!check.is_implausible) return;
+  const double difference = std::log(check.focal_px / fx);
+  for (int i = 0; i < prior.num_free() && i < graph.camera_covariance.rows(); ++i) {
+    if (prior.free[i].name != "focal") continue;
+    double& variance = graph.camera_covariance(i, i);
+    variance = std::max(variance, difference * difference);
+  }
+}
+
 }  // namespace corvo

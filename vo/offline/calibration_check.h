@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "vo/camera/camera_prior.h"
 #include "vo/core/options.h"
+#include "vo/map/pose_graph.h"
 #include "vo/offline/map_camera.h"
 
 namespace corvo {
@@ -32,5 +34,11 @@ struct CalibrationCheck {
 /// differently in each part.
 /// Motion and scenes that do not determine the focal length contradict nothing.
 CalibrationCheck CheckCalibration(const Map& map, const CalibrationCheckOptions& options = {});
+
+/// Raises the variance of the focal length in a graph, if the calibration that its poses have is
+/// implausible: to the square of its difference from the focal length that fits the parts. `prior`
+/// has the free parameters of the camera, `fx` is its focal length.
+void WidenFocalLength(const CalibrationCheck& check, const CameraPrior& prior, double fx,
+                      PoseGraph& graph);
 
 }  // namespace corvo

@@ -103,6 +103,20 @@ TEST(CalibrationCheckTest, AMotionThatDoesNotDetermineTheFocalLengthContradictsN
   EXPECT_FALSE(CheckCalibration(MakeWalkMap(1.1, true)).is_implausible);
 }
 
+TEST(CalibrationCheckTest, AContradictedFocalLengthIsAsUncertainAsItsContradiction) {
+  const CameraPrior prior{{}, {{"focal", 0.002}, {"k1", 0.03}}};
+  const Eigen::Vector2d variances(4e-6, 9e-4);
+  PoseGraph graph;
+  graph.camera_covariance = variances.asDiagonal();
+  CalibrationCheck check{4, 4, 550, false};
+  WidenFocalLength(check, prior, 500, graph);
+  EXPECT_EQ(graph.camera_covariance.diagonal(), variances);
+  check.is_implausible = true;
+  WidenFocalLength(check, prior, 500, graph);
+  EXPECT_NEAR(graph.camera_covariance(0, 0), std::pow(std::log(1.1), 2), 1e-12);
+  EXPECT_EQ(graph.camera_covariance(1, 1), 9e-4);
+}
+
 TEST(CalibrationCheckTest, AMapOfFewKeyframesIsNotJudged) {
   const CalibrationCheck check = CheckCalibration(Map(test::MakeModel()));
   EXPECT_EQ(check.num_parts, 0);
