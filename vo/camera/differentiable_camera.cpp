@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "vo/camera/differentiable_camera.h"
 
-#include <algorithm>
 #include <map>
 
 #include <Eigen/Geometry>
 
+#include "vo/camera/projection_fov.h"
+#include "vo/camera/projection_kannala_brandt.h"
+
 namespace corvo {
 namespace {
-
-constexpr double kStep = 1e-6;  // Small compared with a distortion, large compared with rounding.
 
 /// Returns d (x_d, y_d) / d p1 (axis 1) or d p2 (axis 0) of a point at (x/z, y/z).
 Eigen::Vector2d TangentialEffect(const Eigen::Vector2d& normalized, int axis) {
@@ -23,14 +23,8 @@ Eigen::Vector2d TangentialEffect(const Eigen::Vector2d& normalized, int axis) {
 DifferentiableCamera::DifferentiableCamera(const CameraPrior& prior,
                                            const Eigen::VectorXd& difference)
     : camera_(prior.Apply(difference)) {
-  for (int i = 0; i < prior.num_free(); ++i) {
-    Derivative derivative{EffectOf(prior.free[i].name, prior.given.model), {}, {}};
-    if (derivative.effect == Effect::kByDifference) {
-      const Eigen::VectorXd change = kStep * Eigen::VectorXd::Unit(prior.num_free(), i);
-      derivative.below = Camera::Make(prior.Apply(difference - change));
-      derivative.above = Camera::Make(prior.Apply(difference + change));
-    }
-    derivatives_.push_back(derivative);
+  for (const FreeParameter& parameter : prior.free) {
+    effects_.push_back(EffectOf(parameter.name, prior.given.model));
   }
 }
 
@@ -52,18 +46,21 @@ DifferentiableCamera::Effect DifferentiableCamera::EffectOf(const std::string& n
                                                             {"p1", Effect::kP1},
                                                             {"p2", Effect::kP2},
                                                             {"k3", Effect::kK3}};
+  static const std::map<std::string, Effect> kOfWideLenses = {{"k1", Effect::kTheta3},
+                                                              {"k2", Effect::kTheta5},
+                                                              {"k3", Effect::kTheta7},
+                                                              {"k4", Effect::kTheta9},
+                                                              {"omega", Effect::kOmega}};
   const auto of_every_model = kOfEveryModel.find(name);
   if (of_every_model != kOfEveryModel.end()) return of_every_model->second;
-  const auto of_pinholes = kOfPinholes.find(name);
-  const bool is_pinholes = model == CameraModel::kPinhole && of_pinholes != kOfPinholes.end();
-  return is_pinholes ? of_pinholes->second : Effect::kByDifference;
+  return (model == CameraModel::kPinhole ? kOfPinholes : kOfWideLenses).at(name);
 }
 
-Eigen::Vector2d DifferentiableCamera::PixelByParameter(const Derivative& derivative,
+Eigen::Vector2d DifferentiableCamera::PixelByParameter(Effect effect,
                                                        const Eigen::Vector3d& in_camera,
                                                        const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d from_center = pixel - Eigen::Vector2d(camera_.cx(), camera_.cy());
-  switch (derivative.effect) {
+  switch (effect) {
     case Effect::kFocal:
       return from_center;
     case Effect::kFx:
@@ -74,17 +71,15 @@ Eigen::Vector2d DifferentiableCamera::PixelByParameter(const Derivative& derivat
       return {1, 0};
     case Effect::kCy:
       return {0, 1};
-    case Effect::kByDifference:
-      return derivative.DifferenceQuotient(in_camera, pixel);
     default:
       break;
   }
   return Eigen::Vector2d(camera_.fx(), camera_.fy())
-      .cwiseProduct(DistortedByParameter(derivative.effect, in_camera.hnormalized()));
+      .cwiseProduct(DistortedByParameter(effect, in_camera.hnormalized()));
 }
 
-Eigen::Vector2d DifferentiableCamera::DistortedByParameter(Effect effect,
-                                                           const Eigen::Vector2d& normalized) {
+Eigen::Vector2d DifferentiableCamera::DistortedByParameter(
+    Effect effect, const Eigen::Vector2d& normalized) const {
   const double s = normalized.squaredNorm();
   switch (effect) {
     case Effect::kK1:
@@ -97,24 +92,26 @@ Eigen::Vector2d DifferentiableCamera::DistortedByParameter(Effect effect,
       return TangentialEffect(normalized, 1);
     case Effect::kP2:
       return TangentialEffect(normalized, 0);
+    case Effect::kTheta3:
+      return kannala_brandt::DistortedByCoefficient(1, normalized);
+    case Effect::kTheta5:
+      return kannala_brandt::DistortedByCoefficient(2, normalized);
+    case Effect::kTheta7:
+      return kannala_brandt::DistortedByCoefficient(3, normalized);
+    case Effect::kTheta9:
+      return kannala_brandt::DistortedByCoefficient(4, normalized);
+    case Effect::kOmega:
+      return fov::DistortedByOmega(camera_.parameters(), normalized);
     default:
       return Eigen::Vector2d::Zero();
   }
 }
 
-Eigen::Vector2d DifferentiableCamera::Derivative::DifferenceQuotient(
-    const Eigen::Vector3d& in_camera, const Eigen::Vector2d& pixel) const {
-  const auto low = below ? below->Project(in_camera) : std::nullopt;
-  const auto high = above ? above->Project(in_camera) : std::nullopt;
-  const int num_steps = (low ? 1 : 0) + (high ? 1 : 0);
-  return (high.value_or(pixel) - low.value_or(pixel)) / (kStep * std::max(1, num_steps));
-}
-
 DifferentiableCamera::Jacobian DifferentiableCamera::PixelByDifference(
     const Eigen::Vector3d& in_camera, const Eigen::Vector2d& pixel) const {
-  Jacobian jacobian(2, derivatives_.size());
-  for (std::size_t i = 0; i < derivatives_.size(); ++i) {
-    jacobian.col(i) = PixelByParameter(derivatives_[i], in_camera, pixel);
+  Jacobian jacobian(2, effects_.size());
+  for (std::size_t i = 0; i < effects_.size(); ++i) {
+    jacobian.col(i) = PixelByParameter(effects_[i], in_camera, pixel);
   }
   return jacobian;
 }

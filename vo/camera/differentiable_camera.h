@@ -12,8 +12,8 @@
 
 namespace corvo {
 
-/// A camera and the derivatives of its pixels with respect to the free parameters of a prior: in
-/// closed form, except for the distortion of kb4 and fov, which uses central differences.
+/// A camera and the derivatives of its pixels with respect to the free parameters of a prior, in
+/// closed form.
 class DifferentiableCamera {
  public:
   static constexpr int kMaxFree = 12;
@@ -34,25 +34,33 @@ class DifferentiableCamera {
   Jacobian PixelByDifference(const Eigen::Vector3d& in_camera, const Eigen::Vector2d& pixel) const;
 
  private:
-  enum class Effect { kFocal, kFx, kFy, kCx, kCy, kK1, kK2, kP1, kP2, kK3, kByDifference };
-
-  /// The derivative with respect to one free parameter.
-  struct Derivative {
-    Effect effect;
-    std::optional<Camera> below, above;  // For kByDifference; empty at the end of the range.
-
-    Eigen::Vector2d DifferenceQuotient(const Eigen::Vector3d& in_camera,
-                                       const Eigen::Vector2d& pixel) const;
+  /// What a free parameter changes; kTheta3 to kTheta9 are k1 to k4 of kb4.
+  enum class Effect {
+    kFocal,
+    kFx,
+    kFy,
+    kCx,
+    kCy,
+    kK1,
+    kK2,
+    kK3,
+    kP1,
+    kP2,
+    kTheta3,
+    kTheta5,
+    kTheta7,
+    kTheta9,
+    kOmega
   };
 
-  /// Returns d (x_d, y_d) / d parameter of a pinhole's distortion at (x/z, y/z).
-  static Eigen::Vector2d DistortedByParameter(Effect effect, const Eigen::Vector2d& normalized);
+  /// Returns d (x_d, y_d) / d parameter of the distortion at (x/z, y/z).
+  Eigen::Vector2d DistortedByParameter(Effect effect, const Eigen::Vector2d& normalized) const;
   static Effect EffectOf(const std::string& name, CameraModel model);
-  Eigen::Vector2d PixelByParameter(const Derivative& derivative, const Eigen::Vector3d& in_camera,
+  Eigen::Vector2d PixelByParameter(Effect effect, const Eigen::Vector3d& in_camera,
                                    const Eigen::Vector2d& pixel) const;
 
   Camera camera_;
-  std::vector<Derivative> derivatives_;  // One per free parameter.
+  std::vector<Effect> effects_;  // One per free parameter.
 };
 
 }  // namespace corvo

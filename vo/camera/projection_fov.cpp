@@ -19,6 +19,16 @@ Distorted Distort(const CameraParameters& p, const Eigen::Vector2d& undistorted)
                       Stretch(p) / (p.omega * (1 + stretched * stretched)));
 }
 
+Eigen::Vector2d DistortedByOmega(const CameraParameters& p, const Eigen::Vector2d& undistorted) {
+  if (p.omega == 0) return Eigen::Vector2d::Zero();
+  const double r = undistorted.norm();
+  const double stretch = Stretch(p);
+  const double angle_per_radius = r == 0 ? stretch : std::atan(stretch * r) / r;
+  const double stretch_by_omega = 1 + 0.25 * stretch * stretch;
+  const double by_omega = stretch_by_omega / (1 + stretch * stretch * r * r);
+  return (by_omega - angle_per_radius / p.omega) / p.omega * undistorted;
+}
+
 double MaxRadius(const CameraParameters&) { return std::tan(kMaxAngle); }
 
 std::optional<Eigen::Vector2d> Undistort(const CameraParameters& p, double max_radius,

@@ -17,6 +17,10 @@ namespace corvo::fov {
 
 Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
 
+/// Returns the derivative of the distorted point by omega.
+Eigen::Vector2d DistortedByOmega(const CameraParameters& parameters,
+                                 const Eigen::Vector2d& undistorted);
+
 /// Returns the tangent of kMaxAngle, since the model has no limit of its own.
 double MaxRadius(const CameraParameters& parameters);
 

@@ -70,6 +70,13 @@ Distorted Distort(const CameraParameters& p, const Eigen::Vector2d& undistorted)
   return MoveRadially(undistorted, r, DistortAngle(p, theta), AngleSlope(p, theta) / (1 + r * r));
 }
 
+Eigen::Vector2d DistortedByCoefficient(int i, const Eigen::Vector2d& undistorted) {
+  const double r = undistorted.norm();
+  if (r == 0) return Eigen::Vector2d::Zero();
+  const double theta = std::atan(r);
+  return theta / r * std::pow(theta * theta, i) * undistorted;
+}
+
 double MaxRadius(const CameraParameters& p) {
   // The coefficients of AngleSlope as a polynomial in theta².
   const std::vector<double> slope = {1, 3 * p.k1, 5 * p.k2, 7 * p.k3, 9 * p.k4};

@@ -17,6 +17,9 @@ namespace corvo::kannala_brandt {
 
 Distorted Distort(const CameraParameters& parameters, const Eigen::Vector2d& undistorted);
 
+/// Returns the derivative of the distorted point by the coefficient ki, i = 1 to 4.
+Eigen::Vector2d DistortedByCoefficient(int i, const Eigen::Vector2d& undistorted);
+
 /// Returns the tangent of the angle up to which d grows, at most kMaxAngle.
 double MaxRadius(const CameraParameters& parameters);
 
