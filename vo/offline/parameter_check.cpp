@@ -14,12 +14,17 @@ namespace {
 CameraPrior PriorAround(const CameraParameters& camera, const ParameterCheckOptions& options) {
   const double center_sigma = options.center_sigma_share * camera.width;
   CameraPrior prior{camera,
-                    {{"focal", options.focal_sigma}, {"cx", center_sigma}, {"cy", center_sigma}}};
-  if (camera.model != CameraModel::kPinhole) return prior;
-  for (const char* radial : {"k1", "k2"}) prior.free.push_back({radial, options.radial_sigma});
-  for (const char* tangential : {"p1", "p2"}) {
-    prior.free.push_back({tangential, options.tangential_sigma});
-  }
+                    {{"focal", options.focal_sigma},
+                     {"cx", center_sigma},
+                     {"cy", center_sigma},
+                     {"k1", options.radial_sigma},
+                     {"k2", options.radial_sigma},
+                     {"omega", options.radial_sigma},
+                     {"p1", options.tangential_sigma},
+                     {"p2", options.tangential_sigma}}};
+  std::erase_if(prior.free, [&camera](const FreeParameter& parameter) {
+    return !HasParameter(camera.model, parameter.name);
+  });
   return prior;
 }
 
