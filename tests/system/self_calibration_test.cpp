@@ -66,6 +66,56 @@ TEST(SelfCalibrationTest, AWrongCameraIsCorrectedToWithinTheReportedSigmas) {
   }
 }
 
+/// Returns a camera of 480x360 px with a field of view of more than 110 degrees.
+CameraParameters WideLens(CameraModel model) {
+  CameraParameters lens;
+  lens.model = model;
+  lens.width = 480;
+  lens.height = 360;
+  lens.fx = lens.fy = 240;
+  lens.cx = 239.5;
+  lens.cy = 179.5;
+  if (model == CameraModel::kFov) lens.omega = 0.9;
+  return lens;
+}
+
+/// Expects that the odometry estimates focal length and distortion of a film's wide lens to within
+/// three standard deviations, and the distortion with at most half of that of the prior, and that
+/// it keeps the principal point.
+void ExpectEstimated(const Sequence& film, const CameraParameters& given) {
+  CalibrationOptions options;
+  options.focal_sigma = 0.01;
+  const CameraPrior prior = MakePrior(given, options);
+  const Odometry odometry = RunOn(film, prior);
+  EXPECT_FALSE(odometry.prior_rejected());
+  const CameraEstimate& estimate = odometry.camera_estimate();
+  const Eigen::VectorXd error = estimate.difference - prior.Difference(film.camera().parameters());
+  const Eigen::VectorXd sigma = estimate.covariance.diagonal().cwiseSqrt();
+  for (const int i : prior.IndicesWithoutEvidence()) {
+    EXPECT_LE(std::abs(error[i]), 3 * sigma[i]) << prior.free[i].name;
+    if (prior.free[i].name == "focal") continue;
+    EXPECT_LE(sigma[i], 0.5 * prior.free[i].sigma) << prior.free[i].name;
+  }
+  EXPECT_EQ(odometry.camera().cx(), given.cx);
+  EXPECT_EQ(odometry.camera().cy(), given.cy);
+}
+
+TEST(SelfCalibrationTest, AWideLensIsEstimatedWhetherTheGivenOneIsRightOrWrong) {
+  CORVO_SKIP_IF_SHORT();
+  for (const CameraModel model : {CameraModel::kKb4, CameraModel::kFov}) {
+    SCOPED_TRACE(ToString(model));
+    SequenceOptions options = MakeOptions(100, 1);
+    options.camera = WideLens(model);
+    const Sequence room = MakeRoom(options);
+    ExpectEstimated(room, *options.camera);
+    CameraParameters wrong = *options.camera;
+    wrong.fx *= 1.01;
+    wrong.fy *= 1.01;
+    (model == CameraModel::kFov ? wrong.omega : wrong.k1) += 0.02;
+    ExpectEstimated(room, wrong);
+  }
+}
+
 TEST(SelfCalibrationTest, PureRotationKeepsTheGivenCameraWithinItsSigmas) {
   const Sequence rotation = MakePureRotation(MakeOptions(test::IsShortRun() ? 12 : 60, 1));
   const CameraPrior prior{rotation.camera().parameters(), kFree};

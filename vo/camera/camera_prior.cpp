@@ -32,6 +32,14 @@ std::vector<std::string> FieldsOf(const std::string& name) {
   return {name};
 }
 
+/// Returns the standard deviation of the fov model's omega that acts like `k1_sigma`. Relative to
+/// the focal length on the axis, the model's radial distortion begins with k1 = -(2 tan(omega /
+/// 2))² / 3.
+double OmegaSigma(double omega, double k1_sigma) {
+  const double stretch = 2 * std::tan(0.5 * omega);
+  return 2 * std::atan(0.5 * std::sqrt(stretch * stretch + 3 * k1_sigma)) - omega;
+}
+
 }  // namespace
 
 std::vector<std::string> FreeParameterNames(CameraModel model) {
@@ -129,16 +137,19 @@ CameraPrior CameraPrior::Resized(int width, int height) const {
 }
 
 CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options) {
-  if (given.model != CameraModel::kPinhole) return {given, {}};
-  CameraPrior prior{
-      given, {{kFocal, options.focal_sigma}, {"k1", options.k1_sigma}, {"k2", options.k2_sigma}}};
-  const auto add_on_evidence = [&prior](const char* name, double sigma) {
-    if (sigma > 0) prior.free.push_back({name, sigma, true});
-  };
-  add_on_evidence("cx", options.center_sigma_share * given.width);
-  add_on_evidence("cy", options.center_sigma_share * given.width);
-  add_on_evidence("p1", options.tangential_sigma);
-  add_on_evidence("p2", options.tangential_sigma);
+  const double center_sigma = options.center_sigma_share * given.width;
+  CameraPrior prior{given,
+                    {{kFocal, options.focal_sigma},
+                     {"k1", options.k1_sigma},
+                     {"k2", options.k2_sigma},
+                     {"omega", OmegaSigma(given.omega, options.k1_sigma)},
+                     {"cx", center_sigma, true},
+                     {"cy", center_sigma, true},
+                     {"p1", options.tangential_sigma, true},
+                     {"p2", options.tangential_sigma, true}}};
+  std::erase_if(prior.free, [&given](const FreeParameter& parameter) {
+    return parameter.sigma == 0 || !HasParameter(given.model, parameter.name);
+  });
   return prior;
 }
 

@@ -70,11 +70,11 @@ struct CameraPrior {
   bool operator==(const CameraPrior&) const = default;
 };
 
-/// Returns the prior of a camera that is given without sigmas. For the pinhole model the focal
-/// length, k1 and k2 are free: a calibrated camera keeps a residual distortion, which bends the
-/// scale of a map wherever the camera turns. The principal point, which can hardly be distinguished
-/// from a rotation of the camera, and p1 and p2 are free where the images are evidence against the
-/// given values. Other models have no free parameters.
+/// Returns the prior of a camera that is given without sigmas. The focal length and k1 and k2, or
+/// omega, are free: a calibrated camera keeps a residual distortion, which bends the scale of a map
+/// wherever the camera turns. The principal point, which can hardly be told from a rotation of the
+/// camera, and p1 and p2 are free where the images are evidence against the given values. k3 and k4
+/// are exact, because k1 and k2 take over their effect.
 CameraPrior MakePrior(const CameraParameters& given, const CalibrationOptions& options);
 
 /// An estimate of a camera: its difference from the given camera, and the covariance of the

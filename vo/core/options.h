@@ -400,14 +400,14 @@ struct CalibrationOptions {
     field("focal_sigma", self.focal_sigma, 1e-6, 1.0,
           "standard deviation of a given focal length, as a share of it");
     field("k1_sigma", self.k1_sigma, 1e-6, 10.0,
-          "standard deviation of a given k1 of a pinhole camera");
-    field("k2_sigma", self.k2_sigma, 1e-6, 10.0,
-          "standard deviation of a given k2 of a pinhole camera");
+          "standard deviation of a given k1; the omega of a fov camera has the one that acts like "
+          "it");
+    field("k2_sigma", self.k2_sigma, 1e-6, 10.0, "standard deviation of a given k2");
     field("center_sigma_share", self.center_sigma_share, 0.0, 1.0,
-          "standard deviation of a given principal point of a pinhole camera, as a share of the "
-          "image width; 0: it is exact");
+          "standard deviation of a given principal point, as a share of the image width; 0: it "
+          "is exact");
     field("tangential_sigma", self.tangential_sigma, 0.0, 1.0,
-          "standard deviation of given p1 and p2 of a pinhole camera; 0: they are exact");
+          "standard deviation of given p1 and p2; 0: they are exact");
   }
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {

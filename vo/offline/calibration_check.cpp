@@ -20,9 +20,8 @@ struct PartFocal {
 CameraPrior WidePrior(const CameraParameters& camera, const CalibrationCheckOptions& options) {
   CalibrationOptions given;
   given.focal_sigma = options.focal_sigma;
-  given.center_sigma_share = given.tangential_sigma = 0;
   CameraPrior prior = MakePrior(camera, given);
-  if (prior.free.empty()) prior.free.push_back({"focal", options.focal_sigma});
+  std::erase_if(prior.free, &FreeParameter::needs_evidence);
   return prior;
 }
 

@@ -65,7 +65,7 @@ TEST(CameraPriorTest, ParametersThatKeepTheirValueDoNotCountInTheChiSquareTest) 
 
 TEST(CameraPriorTest, DefaultPriorOfAPinholeCameraFreesFocalLengthAndRadialDistortion) {
   CalibrationOptions options;
-  CameraParameters given = test::PinholeCamera().parameters();
+  const CameraParameters given = test::PinholeCamera().parameters();
   EXPECT_EQ(MakePrior(given, options).free,
             (std::vector<FreeParameter>{{"focal", options.focal_sigma},
                                         {"k1", options.k1_sigma},
@@ -77,8 +77,47 @@ TEST(CameraPriorTest, DefaultPriorOfAPinholeCameraFreesFocalLengthAndRadialDisto
   EXPECT_THAT(MakePrior(given, options).IndicesWithoutEvidence(), testing::ElementsAre(0, 1, 2));
   options.center_sigma_share = options.tangential_sigma = 0;
   EXPECT_EQ(MakePrior(given, options).num_free(), 3);
+}
+
+TEST(CameraPriorTest, DefaultPriorOfAWideLensFreesFocalLengthAndDistortion) {
+  const CalibrationOptions options;
+  CameraParameters given = test::PinholeCamera().parameters();
+  const double center_sigma = options.center_sigma_share * given.width;
   given.model = CameraModel::kKb4;
-  EXPECT_EQ(MakePrior(given, options).num_free(), 0);
+  EXPECT_EQ(MakePrior(given, options).free,
+            (std::vector<FreeParameter>{{"focal", options.focal_sigma},
+                                        {"k1", options.k1_sigma},
+                                        {"k2", options.k2_sigma},
+                                        {"cx", center_sigma, true},
+                                        {"cy", center_sigma, true}}));
+  given.model = CameraModel::kFov;
+  given.omega = 0.9;
+  const CameraPrior fov = MakePrior(given, options);
+  ASSERT_EQ(fov.num_free(), 4);
+  EXPECT_EQ(fov.free[0], (FreeParameter{"focal", options.focal_sigma}));
+  EXPECT_EQ(fov.free[1].name, "omega");
+  EXPECT_EQ(fov.free[2], (FreeParameter{"cx", center_sigma, true}));
+  EXPECT_EQ(fov.free[3], (FreeParameter{"cy", center_sigma, true}));
+}
+
+TEST(CameraPriorTest, DefaultSigmaOfOmegaActsLikeThatOfK1) {
+  const CalibrationOptions options;
+  CameraParameters given = test::PinholeCamera().parameters();
+  given.model = CameraModel::kFov;
+  for (const double omega : {0.0, 0.2, 0.9}) {
+    given.omega = omega;
+    const double sigma = MakePrior(given, options).free[1].sigma;
+    CameraParameters other = given;
+    other.omega += sigma;
+    const auto k1_of = [](const CameraParameters& lens) {
+      const auto scale_at = [&](double r) {
+        return (Camera(lens).Project({r, 0, 1})->x() - lens.cx) / (lens.fx * r);
+      };
+      const double on_axis = scale_at(1e-6);
+      return (scale_at(0.01) / on_axis - 1) / (0.01 * 0.01);
+    };
+    EXPECT_NEAR(k1_of(given) - k1_of(other), options.k1_sigma, 0.01 * options.k1_sigma) << omega;
+  }
 }
 
 TEST(CameraPriorTest, InflatedPriorHasLessWeight) {
