@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -122,25 +123,41 @@ int Main(int argc, char** argv) {
   return FlushOutput() ? exit_code : kBadInput;
 }
 
+std::atomic<bool> memory_ran_out = false;
+
+[[noreturn]] void ReportNoMemory() {
+  memory_ran_out = true;
+  throw std::bad_alloc();
+}
+
+/// Returns whether std::terminate is called for want of memory. The exception is unknown if it left
+/// a destructor.
+bool IsOutOfMemory() {
+  const std::exception_ptr current = std::current_exception();
+  if (!current) return memory_ran_out;
+  try {
+    std::rethrow_exception(current);
+  } catch (const std::bad_alloc&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 /// Ends the process where no handler catches std::bad_alloc, as in functions that must not throw.
 /// Aborts it for any other reason.
 [[noreturn]] void EndOutOfMemory() {
-  const std::exception_ptr current = std::current_exception();
-  try {
-    if (current) std::rethrow_exception(current);
-  } catch (const std::bad_alloc&) {
-    constexpr std::string_view kMessage = "corvo: error: out of memory\n";
-    static_cast<void>(!write(UncaughtStandardError(), kMessage.data(), kMessage.size()));
-    std::_Exit(kBadInput);
-  } catch (...) {
-  }
-  std::abort();
+  if (!IsOutOfMemory()) std::abort();
+  constexpr std::string_view kMessage = "corvo: error: out of memory\n";
+  static_cast<void>(!write(UncaughtStandardError(), kMessage.data(), kMessage.size()));
+  std::_Exit(kBadInput);
 }
 
 }  // namespace
 }  // namespace corvo
 
 int main(int argc, char** argv) {
+  std::set_new_handler(corvo::ReportNoMemory);
   std::set_terminate(corvo::EndOutOfMemory);
   try {
     return corvo::Main(argc, argv);

@@ -2,14 +2,12 @@
 #include "vo/mapping/camera_estimator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "vo/camera/camera_displacement.h"
 #include "vo/math/chi_square.h"
-#include "vo/math/huber.h"
 #include "vo/optimization/bundle_adjuster.h"
 #include "vo/optimization/camera_covariance.h"
 #include "vo/optimization/point_selection.h"
@@ -24,15 +22,10 @@ BundleAdjuster AdjusterOf(const Bundle& bundle, const CalibrationOptions& option
   return BundleAdjuster(CalibrationAdjustment(options, static_cast<int>(num_free)));
 }
 
-/// Gives the observations of a bundle the weights of Huber's loss, by their standard deviations
-/// (iteratively reweighted least squares), and marks gross errors as outliers.
-void WeighRobustly(const Camera& camera, const CalibrationOptions& options, Bundle& bundle) {
-  const double threshold = kChiSquare2Dof95;
-  const double largest = options.gross_error_sigmas * options.gross_error_sigmas;
-  VisitErrors(camera, bundle, [&](Bundle::Observation& observation, double error) {
-    observation.is_inlier = error <= largest;
-    if (observation.is_inlier)
-      observation.sigma_px /= std::sqrt(HuberLoss(error, threshold).weight);
+/// Marks the observations within the 95% quantile as inliers, the others as outliers.
+void MarkInliers(const Camera& camera, Bundle& bundle) {
+  VisitErrors(camera, bundle, [](Bundle::Observation& observation, double error) {
+    observation.is_inlier = error <= kChiSquare2Dof95;
   });
 }
 
@@ -96,7 +89,7 @@ AdjustmentStatus CameraEstimator::EstimateFar(CameraInformation& of_block) const
 
 CameraInformation CameraEstimator::InformationOf(Bundle block,
                                                  const Eigen::VectorXd& difference) const {
-  WeighRobustly(Camera(prior_.Apply(difference)), options_, block);
+  MarkInliers(Camera(prior_.Apply(difference)), block);
   const int num_views = static_cast<int>(block.views.size());
   const int points_per_view = CalibrationAdjustment(options_, num_views).points_per_view;
   std::vector<Bundle> bundles{std::move(block)};

@@ -25,7 +25,7 @@ struct CalibratedBundle {
 };
 
 /// An estimate of the camera from a block of keyframes and the blocks before it. Without a gauge,
-/// the block is linearized at the map with Huber's weights, which makes the estimate a step of the
+/// the block's inliers are linearized at the map, which makes the estimate a step of the
 /// Gauss-Newton method; if the step is too long for that, at the minimum of the block's error. It
 /// does not refer to the map.
 class CameraEstimator {
