@@ -2,12 +2,15 @@
 #include "vo/mapping/camera_estimator.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "vo/camera/camera_displacement.h"
 #include "vo/math/chi_square.h"
+#include "vo/math/median.h"
 #include "vo/optimization/bundle_adjuster.h"
 #include "vo/optimization/camera_covariance.h"
 #include "vo/optimization/point_selection.h"
@@ -22,11 +25,20 @@ BundleAdjuster AdjusterOf(const Bundle& bundle, const CalibrationOptions& option
   return BundleAdjuster(CalibrationAdjustment(options, static_cast<int>(num_free)));
 }
 
-/// Marks the observations within the 95% quantile as inliers, the others as outliers.
+/// Marks the observations within the 95% quantile as inliers, the others as outliers. If the errors
+/// are larger than their standard deviations, as those of a wrong camera are, the quantile is that
+/// of their median.
 void MarkInliers(const Camera& camera, Bundle& bundle) {
-  VisitErrors(camera, bundle, [](Bundle::Observation& observation, double error) {
-    observation.is_inlier = error <= kChiSquare2Dof95;
+  constexpr double kMedian = 1.386;  // Of chi-square with two degrees of freedom.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<double> errors;
+  VisitErrors(camera, bundle, [&](Bundle::Observation& /*observation*/, double error) {
+    errors.push_back(std::min(kInfinity, error));  // Those that are not a number, too.
   });
+  const double largest = kChiSquare2Dof95 * std::max(1.0, Median(errors) / kMedian);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    bundle.observations[i].is_inlier = errors[i] <= largest;
+  }
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& rand
   }
   Map map = test::MakeMap(scene, views);
   for (KeyframeId id = 1; id < num_views; ++id) {
-    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.01)));
+    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.002)));
   }
   return map;
 }
