@@ -81,7 +81,7 @@ CameraEstimate CameraEstimator::EstimateWith(const CameraInformation& of_block) 
 }
 
 bool CameraEstimator::IsFar(const CameraEstimate& estimate) const {
-  constexpr double kTrustedShare = 0.002;
+  constexpr double kTrustedShare = 0.005;
   const Camera before(prior_.Apply(before_.difference));
   const std::optional<Camera> camera = Camera::Make(prior_.Apply(estimate.difference));
   return !camera || LargestDisplacement(before, *camera) > kTrustedShare * before.width();

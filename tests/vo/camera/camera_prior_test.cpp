@@ -146,6 +146,7 @@ TEST(CameraPriorTest, PosteriorHasTheSigmasOfItsCovariance) {
             (std::vector<FreeParameter>{{"focal", 0.005}, {"k1", 0.1}}));
   EXPECT_DOUBLE_EQ(InformationGain(prior.free[0], 0.005), 0.75);
   EXPECT_EQ(InformationGain({"cx"}, 3), 1) << "the prior has no sigma";
+  EXPECT_EQ(InformationGain(prior.free[0], 0.02), 0) << "parts of the sequence disagree";
 }
 
 TEST(CameraPriorTest, ValueOfFocalIsFx) {
