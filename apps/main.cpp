@@ -125,7 +125,8 @@ int Main(int argc, char** argv) {
 
 std::atomic<bool> memory_ran_out = false;
 
-[[noreturn]] void ReportNoMemory() {
+/// Fails as operator new does by itself, and remembers it for IsOutOfMemory().
+[[noreturn]] void ThrowBadAlloc() {
   memory_ran_out = true;
   throw std::bad_alloc();
 }
@@ -157,7 +158,7 @@ bool IsOutOfMemory() {
 }  // namespace corvo
 
 int main(int argc, char** argv) {
-  std::set_new_handler(corvo::ReportNoMemory);
+  std::set_new_handler(corvo::ThrowBadAlloc);
   std::set_terminate(corvo::EndOutOfMemory);
   try {
     return corvo::Main(argc, argv);

@@ -81,7 +81,7 @@ CameraEstimate CameraEstimator::EstimateWith(const CameraInformation& of_block) 
 }
 
 bool CameraEstimator::IsFar(const CameraEstimate& estimate) const {
-  constexpr double kTrustedShare = 0.005;
+  constexpr double kTrustedShare = 0.005;  // Of the image width.
   const Camera before(prior_.Apply(before_.difference));
   const std::optional<Camera> camera = Camera::Make(prior_.Apply(estimate.difference));
   return !camera || LargestDisplacement(before, *camera) > kTrustedShare * before.width();
@@ -93,7 +93,7 @@ AdjustmentStatus CameraEstimator::EstimateFar(CameraInformation& of_block) const
       AdjusterOf(block_, options_).Adjust(prior_, prior_.Apply(before_.difference), bundles);
   if (!summary.is_usable()) return summary.status;
   const Eigen::VectorXd& difference = summary.estimate.difference;
-  of_block.matrix = InformationOf(bundles.front(), difference).matrix;
+  of_block.matrix = InformationOf(std::move(bundles.front()), difference).matrix;
   // At the least cost, the gradients of the observations and of the prior cancel out.
   of_block.vector = (of_block.matrix + PriorInformation(prior_)) * difference;
   return summary.status;

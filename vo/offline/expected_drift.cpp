@@ -14,7 +14,6 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 using Matrix7 = PoseGraphEdge::Matrix7;
-
 using Matrix7X = PoseGraphEdge::Matrix7X;
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 

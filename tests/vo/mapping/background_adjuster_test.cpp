@@ -18,8 +18,8 @@ constexpr int kEnd = std::numeric_limits<int>::max();
 
 /// Makes a map of views along a turning path, taken with the camera `taken_with`, `spacing` frames
 /// apart; the poses of all keyframes but the first are disturbed.
-Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random,
-                     int spacing = 5) {
+Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& random, int spacing = 5,
+                     double disturbance = 0.01) {
   const test::PointScene scene = test::MakeBoxScene(600, 3, 12, random);
   std::vector<test::SceneView> views;
   for (int i = 0; i < num_views; ++i) {
@@ -29,7 +29,7 @@ Map MakeDisturbedMap(int num_views, const Camera& taken_with, test::Random& rand
   }
   Map map = test::MakeMap(scene, views);
   for (KeyframeId id = 1; id < num_views; ++id) {
-    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(0.002)));
+    map.SetPose(id, map.WorldFromKeyframe(id) * SE3::Exp(random.Vector<6>(disturbance)));
   }
   return map;
 }
@@ -108,7 +108,7 @@ TEST(BackgroundAdjusterTest, EstimatesTheTrueCamera) {
   adjuster.UseResults(kEnd, map);
   EXPECT_FALSE(adjuster.prior_rejected());
   EXPECT_NEAR(map.camera().parameters().k1, 0.04, 0.01);
-  EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.012 * 0.012);
+  EXPECT_LT(adjuster.camera_estimate().covariance(1, 1), 0.01 * 0.01);
 }
 
 TEST(BackgroundAdjusterTest, KeyframesOfEarlierBlocksFollowTheCamera) {
@@ -143,8 +143,8 @@ TEST(BackgroundAdjusterTest, NothingFollowsACameraThatHardlyChanges) {
 
 TEST(BackgroundAdjusterTest, TheLastCalibrationUsesKeyframesThatNoEstimateHasUsed) {
   test::Random random(4), again(4);
-  Map map = MakeDisturbedMap(14, test::PinholeCamera(), random);
-  Map grown = MakeDisturbedMap(15, test::PinholeCamera(), again);
+  Map map = MakeDisturbedMap(14, test::PinholeCamera(), random, 5, 0.002);
+  Map grown = MakeDisturbedMap(15, test::PinholeCamera(), again, 5, 0.002);
   BackgroundAdjuster adjuster = MakeAdjuster(OdometryOptions());
   adjuster.Start(0, map);
   adjuster.UseResults(kEnd, map);
