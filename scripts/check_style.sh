@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Checks what neither the compiler nor clang-format does: license lines, the direction of includes,
-# spelling. Prints what is wrong and fails.
+# Checks what the compiler does not: format, license lines, the direction of includes, spelling.
+# Prints what is wrong and fails.
 #
 #   check_style.sh
 set -euo pipefail
@@ -12,6 +12,9 @@ fail() {
   echo "$1" >&2
   failed=1
 }
+
+find orb vo apps bench tests examples -name '*.h' -o -name '*.cpp' | sort |
+  xargs clang-format-14 --dry-run -Werror || failed=1
 
 folders=(orb vo apps bench tests examples cmake scripts)
 while read -r file; do

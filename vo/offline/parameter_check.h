@@ -22,7 +22,7 @@ struct ParameterCheckOptions {
   int min_keyframes = 8;
   double focal_sigma = 0.03;
   double center_sigma_share = 0.015;  ///< As a share of the width.
-  double radial_sigma = 0.05;  ///< Of k1, k2 and omega.
+  double radial_sigma = 0.05;         ///< Of k1, k2 and omega.
   double tangential_sigma = 0.005;
   double min_sigmas = 4;   ///< Smallest difference, in standard deviations of the fitted value, and
   double min_share = 0.3;  ///< as a share of the prior's standard deviation.
