@@ -125,14 +125,14 @@ std::string MoveLine(const std::string& title, const Trials& trials) {
 
 }  // namespace
 
-ConsistencyTrial RunConsistencyTrial(RenderScene scene, int seed, const OdometryOptions& options,
+ConsistencyTrial RunConsistencyTrial(const ScenePart& part, const OdometryOptions& options,
                                      bool refine) {
-  const Recording film = SequencePart(scene, seed);
-  const Eigen::VectorXd draw = Draw(seed);
+  const Recording film = Render(part);
+  const Eigen::VectorXd draw = Draw(part.seed);
   const CameraPrior exact{film.camera.parameters(), kFree};
   const CameraPrior wrong{exact.Apply(-draw), kFree};
-  return {ToString(scene),
-          seed,
+  return {ToString(part.scene),
+          part.seed,
           {draw.begin(), draw.end()},
           RunWithCamera(film, {exact.given, {}}, options, refine),
           RunWithCamera(film, exact, options, refine),

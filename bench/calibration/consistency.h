@@ -28,7 +28,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConsistencyTrial, scene, seed, draw, fixed, e
 /// Runs one trial. The wrong camera differs from the true one by a draw from the prior, with
 /// standard deviations of 1% of the focal length, 0.03 of k1 and 0.02 of k2. The odometry is given
 /// this prior.
-ConsistencyTrial RunConsistencyTrial(RenderScene scene, int seed, const OdometryOptions& options,
+ConsistencyTrial RunConsistencyTrial(const ScenePart& part, const OdometryOptions& options,
                                      bool refine);
 
 /// Returns Markdown tables: the consistency of the standard deviations and the effect on the ATE,

@@ -29,6 +29,7 @@ struct Arguments {
   int jobs = 2;
   int runs = 100;
   int blind_runs = 10;
+  int frames = ScenePart().frames;
   bool rendered = false;
   bool recorded = false;
   bool refine = false;
@@ -53,7 +54,9 @@ std::vector<ConsistencyTrial> RunConsistencyTrials(const Arguments& arguments,
                                                    const OdometryOptions& options) {
   std::vector<std::function<ConsistencyTrial()>> tasks;
   const auto add = [&](RenderScene scene, int seed) {
-    tasks.push_back([=] { return RunConsistencyTrial(scene, seed, options, arguments.refine); });
+    tasks.push_back([=] {
+      return RunConsistencyTrial({scene, seed, arguments.frames}, options, arguments.refine);
+    });
   };
   for (int seed = 0; seed < arguments.runs; ++seed) {
     add(seed % 2 == 0 ? RenderScene::kStreet : RenderScene::kRoom, seed);
@@ -152,6 +155,8 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 100'000));
   app.add_option("--blind-runs", arguments.blind_runs, "of either scene that tells nothing")
       ->check(CLI::Range(0, 100'000));
+  app.add_option("--frames", arguments.frames, "of a rendered sequence")
+      ->check(CLI::Range(2, 100'000));
   app.add_flag("--refine", arguments.refine, "also rendered scenes after refinement");
   app.add_option("--perturbations", arguments.perturbations,
                  "of the recorded sequences, those whose title matches this expression");

@@ -12,7 +12,6 @@
 namespace corvo::bench {
 namespace {
 
-constexpr int kFrames = 200;
 constexpr int kPeriod = 600;  ///< At least the number of frames after which scenes repeat.
 
 /// The first frame and the number of frames of a part of a sequence.
@@ -47,13 +46,13 @@ synthetic::Sequence MakeScene(RenderScene scene, const synthetic::SequenceOption
   return synthetic::MakeStreet(options);
 }
 
-Stretch ChooseStretch(RenderScene scene, int seed, const PoseSequence& poses) {
-  if (scene == RenderScene::kStraight) {
+Stretch ChooseStretch(const ScenePart& part, const PoseSequence& poses) {
+  if (part.scene == RenderScene::kStraight) {
     const std::vector<Stretch> straights = FindStraights(poses);
-    return straights[static_cast<std::size_t>(seed) % straights.size()];
+    return straights[static_cast<std::size_t>(part.seed) % straights.size()];
   }
-  test::Random random(static_cast<std::uint64_t>(seed));
-  return {random.UniformInt(0, kPeriod), kFrames};
+  test::Random random(static_cast<std::uint64_t>(part.seed));
+  return {random.UniformInt(0, kPeriod), part.frames};
 }
 
 }  // namespace
@@ -72,14 +71,15 @@ std::string ToString(RenderScene scene) {
   return "";
 }
 
-Recording SequencePart(RenderScene scene, int seed) {
+Recording Render(const ScenePart& part) {
   synthetic::SequenceOptions options;
-  options.frames = kPeriod + kFrames;
-  options.width = scene == RenderScene::kRoom || scene == RenderScene::kRotation ? 640 : 930;
+  options.frames = kPeriod + part.frames;
+  options.width =
+      part.scene == RenderScene::kRoom || part.scene == RenderScene::kRotation ? 640 : 930;
   options.noise_sigma = 3;
-  options.noise_seed = 1 + static_cast<std::uint64_t>(seed);
-  const Recording whole = RenderRecording(MakeScene(scene, options));
-  const Stretch stretch = ChooseStretch(scene, seed, whole.truth);
+  options.noise_seed = 1 + static_cast<std::uint64_t>(part.seed);
+  const Recording whole = RenderRecording(MakeScene(part.scene, options));
+  const Stretch stretch = ChooseStretch(part, whole.truth);
   Recording film{whole.camera, {}, {}, {}};
   std::vector<cv::Mat> images;
   for (int i = stretch.first; i < stretch.first + stretch.size; ++i) {

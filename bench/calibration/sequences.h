@@ -17,8 +17,15 @@ enum class RenderScene {
 
 std::string ToString(RenderScene scene);
 
-/// Returns a part of a scene in small images. `seed` determines its start and the pixel noise.
-/// Deterministic. Images are rendered beforehand, because they are used more than once.
-Recording SequencePart(RenderScene scene, int seed);
+/// A part of a scene: `seed` determines its start and the pixel noise.
+struct ScenePart {
+  RenderScene scene = RenderScene::kStreet;
+  int seed = 0;
+  int frames = 200;  ///< Of kStraight, those between two bends instead.
+};
+
+/// Returns a part of a scene in small images. Deterministic. Images are rendered beforehand,
+/// because they are used more than once.
+Recording Render(const ScenePart& part);
 
 }  // namespace corvo::bench
