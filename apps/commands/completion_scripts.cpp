@@ -124,14 +124,20 @@ std::string BashScript(const CLI::App& program) {
   // Without a word to choose from, bash completes names of files.
   return fmt::format(R"(# Completion of corvo for bash.
 _corvo() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} options= words=
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} options= words=
+  # Bash makes three words of --option=value.
+  if [ "$current" = = ]; then
+    current=
+  elif [ "$previous" = = ]; then
+    previous=${{COMP_WORDS[COMP_CWORD - 2]}}
+  fi
   if [ "$COMP_CWORD" -eq 1 ]; then
     mapfile -t COMPREPLY < <(compgen -W '{}' -- "$current"; compgen -f -- "$current")
     return
   fi
   case ${{COMP_WORDS[1]}} in
 {}  esac
-  case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD - 1]}}" in
+  case "${{COMP_WORDS[1]}} $previous" in
 {}  esac
   if [[ $current == -* ]]; then words=$options; fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -95,6 +95,18 @@ TEST_F(CompletionTest, OfBashKeepsBlanksInNamesOfFiles) {
             "my film.mp4\n");
 }
 
+TEST_F(CompletionTest, OfBashKnowsValuesBehindAnEqualsSign) {
+  const fs::path script = WriteScript("bash", "corvo.bash");
+  // Bash makes three words of --to=col, of which the last may be missing.
+  for (const std::string words : {"corvo export result --to = col", "corvo export result --to ="}) {
+    const std::string reply =
+        Run("bash", fmt::format("source '{}'; COMP_WORDS=({}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - "
+                                "1)); _corvo; printf '%s\n' \"${{COMPREPLY[0]}}\"",
+                                script.string(), words));
+    EXPECT_EQ(reply, "colmap\n") << words;
+  }
+}
+
 TEST_F(CompletionTest, OfFish) {
   if (!HasShell("fish")) GTEST_SKIP() << kMissing;
   const fs::path script = WriteScript("fish", "corvo.fish");
