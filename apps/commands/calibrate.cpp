@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr int kNotCalibrated = 2;
 
-constexpr const char* kFooter =
+constexpr const char* kCalibrateFooter =
     R"(All inputs must come from one camera with one zoom and focus setting. The focal length is initialized
 by a sweep over fields of view. Then the odometry runs over each input and all inputs are adjusted
 jointly; both steps repeat while the focal length changes by more than 1%. The command selects the
@@ -166,7 +166,7 @@ void AddCalibrateCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kCalibrateFooter);
   command->callback(
       [arguments, &exit_code] { exit_code = CalibrateUnlessInterrupted(*arguments); });
 }

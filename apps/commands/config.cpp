@@ -12,7 +12,7 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kConfigFooter = R"(Examples:
   corvo config > config.yaml                    # the defaults, each with its range and meaning
   corvo config --print configs/orb_2011.yaml    # check a file and print all resulting options)";
 
@@ -30,7 +30,7 @@ void AddConfigCommand(CLI::App& app) {
                       "options file to check; options that it omits keep their defaults");
   command->add_flag_callback(
       "--print", [] {}, "print the options (this is always done)");
-  command->footer(kFooter);
+  command->footer(kConfigFooter);
   command->callback([file] { PrintConfig(*file); });
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kEvalFooter = R"(Examples:
   corvo eval result                                  # a run and the ground truth that it used
   corvo eval result MH_01_easy                       # a run and the ground truth of a dataset
   corvo eval estimate.txt truth.txt
@@ -185,7 +185,7 @@ void AddEvalCommand(CLI::App& app) {
   command->add_option("--plot", arguments->image,
                       "file for a plot of both trajectories and the errors, as .pdf, .svg or .png");
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kEvalFooter);
   command->callback([arguments] { Eval(*arguments); });
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kExportFooter = R"(Examples:
   corvo export result --to colmap --images -o model       # model/sparse/0, model/images
   corvo export result --to nerfstudio --images -o scene   # scene/transforms.json, scene/images
   corvo export result --to colmap --undistort --images --frames all -o model
@@ -161,7 +161,7 @@ void AddExportCommand(CLI::App& app) {
       ->check(NumberRange(1e-6, 1e6))
       ->capture_default_str();
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kExportFooter);
   command->callback([arguments] { Export(*arguments); });
 }
 

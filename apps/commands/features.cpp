@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kFeaturesFooter =
     R"(For each image NAME.png the command writes NAME_features.png, the image with its keypoints (a circle
 that grows with the octave, a line in the keypoint's direction, one color per octave), and
 NAME_features.csv: x, y (px), octave, angle (degrees), response and descriptor (hexadecimal).
@@ -96,7 +96,7 @@ void AddFeaturesCommand(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kFeaturesFooter);
   command->callback([arguments] { ExtractFeatures(*arguments); });
 }
 

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kLearnFooter =
     R"(Keypoints of the images are detected again in synthetic views of them. The command selects 256 binary
 tests that distinguish the views of one keypoint from other keypoints and have little correlation
 (Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011, section 4.3, extended
@@ -180,7 +180,7 @@ void AddLearnCommand(CLI::App& app) {
                    "number of threads; does not affect the result (default: number of processors)")
       ->check(CLI::Range(1, 256));
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kLearnFooter);
   command->callback([arguments] { Learn(*arguments); });
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kMatchFooter =
     R"(Matches are mutual nearest neighbors within the limits of the options matching.max_tracking_distance
 and tracker.max_ratio. The command writes matches.png, both images with the matches (green: inliers
 of a homography, red: all others), matches.csv and, if a homography was found, homography.txt, the
@@ -84,7 +84,7 @@ void AddMatchCommand(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "folder for the results")->required();
   command->add_option("--config", arguments->config, "options file; see 'corvo config'");
   AddForceFlag(*command, arguments->force);
-  command->footer(kFooter);
+  command->footer(kMatchFooter);
   command->callback([arguments] { Match(*arguments); });
 }
 

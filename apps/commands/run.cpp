@@ -32,7 +32,7 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kRunFooter = R"(Examples:
   corvo run sequences/03 -o result                    # KITTI with the dataset's calibration
   corvo run sequences/03 --gt poses/03.txt -o result  # ... evaluated against ground truth
   corvo run MH_01_easy/mav0 -o result                 # EuRoC
@@ -196,7 +196,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->footer(kFooter);
+  command->footer(kRunFooter);
   command->callback([arguments, &exit_code] { exit_code = RunUnlessInterrupted(*arguments); });
 }
 

@@ -70,7 +70,8 @@ void AddUnlistedImages(const fs::path& folder, ImageList& list) {
 
 /// Reads the calibration in the camera's folder (EuRoC) or beside `mav0` (TUM-VI). Returns
 /// std::nullopt if there is none.
-std::optional<CameraParameters> FindCamera(const fs::path& folder, const fs::path& first_image) {
+std::optional<CameraParameters> FindEurocCamera(const fs::path& folder,
+                                                const fs::path& first_image) {
   const fs::path sensor = folder / kSensor;
   if (fs::exists(sensor)) return ReadDatasetCamera(sensor, "", first_image);
   const fs::path absolute = AbsoluteFolder(folder);
@@ -93,7 +94,7 @@ ImageList ListEurocImages(const fs::path& input, const InputOptions& options) {
     AddUnlistedImages(folder, list);
   }
   if (options.reads_camera && !list.images.empty()) {
-    list.camera = FindCamera(folder, list.images.front().file);
+    list.camera = FindEurocCamera(folder, list.images.front().file);
   }
   return list;
 }

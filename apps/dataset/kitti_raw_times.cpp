@@ -15,7 +15,7 @@
 namespace corvo {
 namespace {
 
-constexpr TimeNs kSecond = 1'000'000'000;
+constexpr TimeNs kSecondNs = 1'000'000'000;
 
 /// Parses "year-month-day hour:minute:second", of which the second has decimals.
 std::optional<TimeNs> ParseDateTime(const std::string& text, const std::string& where) {
@@ -30,9 +30,9 @@ std::optional<TimeNs> ParseDateTime(const std::string& text, const std::string& 
     return std::nullopt;
   }
   const TimeNs second_ns = ParseSeconds(text.substr(static_cast<std::size_t>(length)), where);
-  if (second_ns < 0 || second_ns > 60 * kSecond) return std::nullopt;
+  if (second_ns < 0 || second_ns > 60 * kSecondNs) return std::nullopt;
   const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  return ((days * 24 + hour) * 60 + minute) * 60 * kSecond + second_ns;
+  return ((days * 24 + hour) * 60 + minute) * 60 * kSecondNs + second_ns;
 }
 
 }  // namespace

@@ -6,17 +6,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFolder = "image_left";
+constexpr const char* kLeftFolder = "image_left";
 
 }  // namespace
 
 bool IsTartanAirSequence(const fs::path& input) {
-  return fs::is_directory(input / kFolder) && fs::exists(input / kTartanAirPoses);
+  return fs::is_directory(input / kLeftFolder) && fs::exists(input / kTartanAirPoses);
 }
 
 ImageList ListTartanAirImages(const fs::path& input, const InputOptions& options) {
   ImageList list{"tartanair", {}, {}};
-  AddIndexTimes(ImageFilesIn(input / kFolder), options, list);
+  AddIndexTimes(ImageFilesIn(input / kLeftFolder), options, list);
   // The same pinhole camera in every sequence (Wang et al., TartanAir, IROS 2020).
   CameraParameters camera;
   camera.width = 640;

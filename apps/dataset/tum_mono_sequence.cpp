@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTimes = "times.txt";
+constexpr const char* kMonoTimes = "times.txt";
 constexpr const char* kFolder = "images";
 constexpr const char* kCamera = "camera.txt";
 
@@ -34,7 +34,7 @@ TimeNs ParseRow(const TextLine& line, const fs::path& image, const fs::path& fil
 }  // namespace
 
 bool IsTumMonoSequence(const fs::path& input) {
-  return fs::exists(input / kTimes) &&
+  return fs::exists(input / kMonoTimes) &&
          (fs::is_directory(input / kFolder) || fs::exists(input / "images.zip"));
 }
 
@@ -44,7 +44,7 @@ ImageList ListTumMonoImages(const fs::path& input, const InputOptions& options) 
     throw Error(fmt::format("{0}/images.zip: unpack it into {0}/images", input.string()));
   }
   const std::vector<fs::path> files = ImageFilesIn(folder);
-  const fs::path times = input / kTimes;
+  const fs::path times = input / kMonoTimes;
   const std::vector<TextLine> lines = ReadTableLines(times);
   CheckNumTimes(times, lines.size(), folder, files.size());
   ImageList list{"tum-mono", {}, {}};

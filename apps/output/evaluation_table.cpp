@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/csv_field.h"
 #include "apps/output/printable.h"
 #include "vo/io/decimal_time.h"
 
@@ -97,14 +98,6 @@ std::string Aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-/// Returns a field of CSV, in quotes if it has characters that separate fields.
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::string EvaluationTable(const std::vector<NamedEvaluation>& results) {
@@ -121,7 +114,7 @@ std::string PoseErrorTable(const std::vector<NamedEvaluation>& results) {
   std::string text = has_names ? "result," : "";
   text += "timestamp,translation_error_m,rotation_error_deg\n";
   for (const NamedEvaluation& result : results) {
-    const std::string name = has_names ? CsvField(result.name) + "," : "";
+    const std::string name = has_names ? ToCsvField(result.name) + "," : "";
     const std::vector<PosePair>& pairs = result.evaluation.aligned_pairs;
     const std::vector<double> errors = PositionErrors(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMaxAge = 64;         // Frames; older tracks have the same color.
 constexpr int kDarkest = 80;        // Of the 256 colors; darker ones cannot be told from the image.
 constexpr double kTintShare = 0.4;  // Of the tint in what is masked.
-constexpr int kShift = 4;           // Fractional bits of coordinates that are drawn.
+constexpr int kSubpixelBits = 4;    // Fractional bits of coordinates that are drawn.
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 
 const cv::Scalar kOutline(30, 30, 30);  // BGR
@@ -49,8 +49,8 @@ cv::Scalar ColorOf(double share) {
 double ShareOfScale(int age) { return std::log2(std::clamp(age, 1, kMaxAge)) / std::log2(kMaxAge); }
 
 cv::Point Fixed(const cv::Point2f& pixel) {
-  return {static_cast<int>(std::lround(pixel.x * (1 << kShift))),
-          static_cast<int>(std::lround(pixel.y * (1 << kShift)))};
+  return {static_cast<int>(std::lround(pixel.x * (1 << kSubpixelBits))),
+          static_cast<int>(std::lround(pixel.y * (1 << kSubpixelBits)))};
 }
 
 void Tint(const cv::Mat& mask, cv::Mat& drawing) {
@@ -66,17 +66,17 @@ void DrawTrack(const Track& track, double unit, cv::Mat& drawing) {
   std::vector<cv::Point> pixels;
   for (const cv::Point2f& pixel : track.pixels) pixels.push_back(Fixed(pixel));
   const int thickness = std::max(1, static_cast<int>(std::lround(unit)));
-  cv::polylines(drawing, pixels, false, color, thickness, cv::LINE_AA, kShift);
-  const int radius = static_cast<int>(std::lround(2.8 * unit * (1 << kShift)));
-  const int outline = radius + static_cast<int>(std::lround(unit * (1 << kShift)));
-  cv::circle(drawing, pixels.back(), outline, kOutline, -1, cv::LINE_AA, kShift);
-  cv::circle(drawing, pixels.back(), radius, color, -1, cv::LINE_AA, kShift);
+  cv::polylines(drawing, pixels, false, color, thickness, cv::LINE_AA, kSubpixelBits);
+  const int radius = static_cast<int>(std::lround(2.8 * unit * (1 << kSubpixelBits)));
+  const int outline = radius + static_cast<int>(std::lround(unit * (1 << kSubpixelBits)));
+  cv::circle(drawing, pixels.back(), outline, kOutline, -1, cv::LINE_AA, kSubpixelBits);
+  cv::circle(drawing, pixels.back(), radius, color, -1, cv::LINE_AA, kSubpixelBits);
 }
 
 /// A line of text in an image.
-class TextLine {
+class CaptionLine {
  public:
-  TextLine(double unit, int baseline, cv::Mat& image)
+  CaptionLine(double unit, int baseline, cv::Mat& image)
       : scale_(0.5 * unit),
         thickness_(std::max(1, static_cast<int>(std::lround(unit)))),
         baseline_(baseline),
@@ -101,7 +101,7 @@ class TextLine {
 };
 
 /// Draws the colors of ages at the right end of a bar. Returns the column at which they start.
-int DrawLegend(double unit, const cv::Rect& row, const TextLine& line, cv::Mat& bar) {
+int DrawLegend(double unit, const cv::Rect& row, const CaptionLine& line, cv::Mat& bar) {
   const int gap = static_cast<int>(6 * unit), length = static_cast<int>(90 * unit);
   const std::string young = "tracked 1", old = fmt::format("{}+ frames", kMaxAge);
   int x = row.x + row.width - gap - line.WidthOf(old);
@@ -117,7 +117,7 @@ int DrawLegend(double unit, const cv::Rect& row, const TextLine& line, cv::Mat& 
 }
 
 /// Writes the state and, if there is room, what its reason means. `right` is the last column.
-void WriteState(const FrameResult& result, const TextLine& line, int left, int right) {
+void WriteState(const FrameResult& result, const CaptionLine& line, int left, int right) {
   const bool has_reason = result.reason != Reason::kNone;
   const std::string state = StateText(result);
   const int end =
@@ -167,7 +167,7 @@ cv::Mat WithCaption(const cv::Mat& image, const FrameResult& result) {
   const bool has_two_rows = image.cols < 850 * unit;
   cv::Mat bar((has_two_rows ? 2 : 1) * height, image.cols, CV_8UC3, kBar);
   const int gap = static_cast<int>(6 * unit);
-  const TextLine first(unit, height * 7 / 10, bar), last(unit, bar.rows - height * 3 / 10, bar);
+  const CaptionLine first(unit, height * 7 / 10, bar), last(unit, bar.rows - height * 3 / 10, bar);
   const int end = DrawLegend(unit, {0, bar.rows - height, bar.cols, height}, last, bar);
   const int left =
       last.Write(fmt::format("frame {}", result.index), gap, std::max(1, end - gap), kMinorText);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/csv_field.h"
 #include "orb/error.h"
 #include "vo/io/decimal_time.h"
 #include "vo/io/text_lines.h"
@@ -17,24 +18,6 @@ constexpr const char* kFrameHeader =
     "index,timestamp,state,reason,segment,posed,features,matches,inliers,parallax,masked,"
     "window_adjustment,camera_adjustment,keyframe,found_share,image_coverage,distance_sigma,"
     "weakest_sigma,drift_sigma,image\n";
-
-/// Returns a field of a CSV file, in quotes if it needs them (RFC 4180).
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string FromCsvField(const std::string& field) {
-  if (!field.starts_with('"')) return field;
-  std::string text;
-  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
-    text += field[i];
-    i += field[i] == '"';
-  }
-  return text;
-}
 
 /// Returns the fields of a row; the last one, the name of the image, may hold commas.
 std::vector<std::string> SplitRow(const std::string& row, std::size_t num_fields) {
@@ -89,7 +72,7 @@ std::string FrameTable(const Trajectory& trajectory, const std::vector<std::stri
   std::string table = kFrameHeader;
   for (const FrameResult& frame : trajectory.frames) {
     const auto i = static_cast<std::size_t>(frame.index);
-    const std::string image = i < images.size() ? CsvField(images[i]) : "";
+    const std::string image = i < images.size() ? ToCsvField(images[i]) : "";
     table += fmt::format(
         "{},{},{},{},{},{},{},{},{},{:.6f},{:.4f},{},{},{},"
         "{:.4f},{:.4f},{:.6g},{:.6g},{:.6g},{}\n",

@@ -16,13 +16,13 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kFields =
+constexpr const char* kFeatureFields =
     "('keyframe', '<u4'), ('frame', '<u4'), ('x', '<f4'), ('y', '<f4'), ('octave', 'u1'), "
     "('angle', '<f4'), ('landmark', '<i4'), ('descriptor', 'u1', (32,))";
 /// A row without the keyframe and its frame.
 constexpr std::size_t kFeatureSize = 4 + 4 + 1 + 4 + 4 + 32;
 
-[[noreturn]] void Fail() {
+[[noreturn]] void ThrowFeatureFileError() {
   throw Error(fmt::format("temporary file of features: {}", std::strerror(errno)));
 }
 
@@ -50,28 +50,28 @@ void KeyframeFeatureSpool::Update(const Map& map) {
 
 void KeyframeFeatureSpool::Add(const Frame& keyframe) {
   if (!file_) file_.reset(std::tmpfile());
-  if (!file_ || std::fseek(file_.get(), 0, SEEK_END) != 0) Fail();
+  if (!file_ || std::fseek(file_.get(), 0, SEEK_END) != 0) ThrowFeatureFileError();
   Rows& rows = rows_[keyframe.index];
   rows = {std::ftell(file_.get()), static_cast<std::size_t>(keyframe.num_keypoints())};
   for (int i = 0; i < keyframe.num_keypoints(); ++i) {
     const std::string bytes = FeatureBytes(keyframe, i);
-    if (std::fwrite(bytes.data(), bytes.size(), 1, file_.get()) != 1) Fail();
+    if (std::fwrite(bytes.data(), bytes.size(), 1, file_.get()) != 1) ThrowFeatureFileError();
   }
 }
 
 void KeyframeFeatureSpool::Write(const PoseGraph& graph, const std::filesystem::path& file) const {
-  NpyWriter writer(file, kFields);
+  NpyWriter writer(file, kFeatureFields);
   for (const PoseGraphVertex& vertex : graph.vertices) {
     const auto rows = rows_.find(vertex.frame);
     if (rows == rows_.end()) continue;
-    if (std::fseek(file_.get(), rows->second.first_byte, SEEK_SET) != 0) Fail();
+    if (std::fseek(file_.get(), rows->second.first_byte, SEEK_SET) != 0) ThrowFeatureFileError();
     for (std::size_t i = 0; i < rows->second.count; ++i) {
       std::string row;
       AppendBytes(static_cast<std::uint32_t>(vertex.keyframe), row);
       AppendBytes(static_cast<std::uint32_t>(vertex.frame), row);
       const std::size_t head = row.size();
       row.resize(head + kFeatureSize);
-      if (std::fread(row.data() + head, kFeatureSize, 1, file_.get()) != 1) Fail();
+      if (std::fread(row.data() + head, kFeatureSize, 1, file_.get()) != 1) ThrowFeatureFileError();
       writer.Add(row);
     }
   }

@@ -22,7 +22,7 @@ struct Record {
 };
 static_assert(sizeof(Record) == 40);
 
-[[noreturn]] void Fail() {
+[[noreturn]] void ThrowLandmarkFileError() {
   throw Error(fmt::format("temporary file of landmarks: {}", std::strerror(errno)));
 }
 
@@ -30,12 +30,12 @@ static_assert(sizeof(Record) == 40);
 
 void LandmarkSpool::Add(const MarginalizedLandmark& landmark) {
   if (!file_) file_.reset(std::tmpfile());
-  if (!file_) Fail();
+  if (!file_) ThrowLandmarkFileError();
   const Eigen::Vector3d& point = landmark.in_world;
   const Record record{landmark.id, landmark.segment, landmark.num_joins, 0,
                       point.x(),   point.y(),        point.z()};
-  if (std::fseek(file_.get(), 0, SEEK_END) != 0) Fail();
-  if (std::fwrite(&record, sizeof record, 1, file_.get()) != 1) Fail();
+  if (std::fseek(file_.get(), 0, SEEK_END) != 0) ThrowLandmarkFileError();
+  if (std::fwrite(&record, sizeof record, 1, file_.get()) != 1) ThrowLandmarkFileError();
   ++size_;
 }
 
@@ -48,7 +48,7 @@ void LandmarkSpool::ForEach(const std::function<void(const MarginalizedLandmark&
   std::rewind(file_.get());
   for (int i = 0; i < size_; ++i) {
     Record record;
-    if (std::fread(&record, sizeof record, 1, file_.get()) != 1) Fail();
+    if (std::fread(&record, sizeof record, 1, file_.get()) != 1) ThrowLandmarkFileError();
     visit({record.id, record.segment, {record.x, record.y, record.z}, record.num_joins});
   }
 }

@@ -16,12 +16,13 @@ namespace corvo {
 namespace {
 
 constexpr std::size_t kRowSize = 18;
-constexpr const char* kFields =
+constexpr const char* kObservationFields =
     "('frame', '<u4'), ('landmark', '<u4'), ('x', '<f4'), ('y', '<f4'), ('sigma', '<f2')";
 
 }  // namespace
 
-ObservationWriter::ObservationWriter(const std::filesystem::path& file) : file_(file, kFields) {}
+ObservationWriter::ObservationWriter(const std::filesystem::path& file)
+    : file_(file, kObservationFields) {}
 
 void ObservationWriter::Add(const ObservationRow& row) {
   std::string bytes;
@@ -39,7 +40,7 @@ std::vector<ObservationRow> ReadObservations(const std::filesystem::path& file) 
   const std::string bytes = ReadFileBytes(file, kMaxResultBytes);
   const std::size_t num_rows =
       bytes.size() < kNpyHeaderSize ? 0 : (bytes.size() - kNpyHeaderSize) / kRowSize;
-  if (bytes.compare(0, kNpyHeaderSize, NpyHeader(kFields, num_rows)) != 0 ||
+  if (bytes.compare(0, kNpyHeaderSize, NpyHeader(kObservationFields, num_rows)) != 0 ||
       bytes.size() != kNpyHeaderSize + kRowSize * num_rows) {
     throw Error(fmt::format("{}: is not the observations of a run, or damaged", file.string()));
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShare = 0.27;      // Of the shorter side of the image.
 constexpr double kBrightness = 0.3;  // Of the image behind the path.
-constexpr int kShift = 4;            // Fractional bits of coordinates that are drawn.
+constexpr int kFractionalBits = 4;   // Fractional bits of coordinates that are drawn.
 
 const cv::Scalar kPath(255, 255, 255);
 const cv::Scalar kCamera(0, 159, 230);  // BGR
@@ -41,13 +41,14 @@ void PathInset::Draw(cv::Mat& image) const {
   std::vector<cv::Point> pixels;
   for (const Eigen::Vector2d& position : path_) {
     const Eigen::Vector2d offset = scale * (position - box.center());
-    pixels.emplace_back(std::lround((0.5 * side + offset.x()) * (1 << kShift)),
-                        std::lround((0.5 * side - offset.y()) * (1 << kShift)));
+    pixels.emplace_back(std::lround((0.5 * side + offset.x()) * (1 << kFractionalBits)),
+                        std::lround((0.5 * side - offset.y()) * (1 << kFractionalBits)));
   }
   const int thickness = std::max(1, side / 100);
-  cv::polylines(inset, pixels, false, kPath, thickness, cv::LINE_AA, kShift);
+  cv::polylines(inset, pixels, false, kPath, thickness, cv::LINE_AA, kFractionalBits);
   const int radius = std::max(2, side / 40);
-  cv::circle(inset, pixels.back(), radius << kShift, kCamera, -1, cv::LINE_AA, kShift);
+  cv::circle(inset, pixels.back(), radius << kFractionalBits, kCamera, -1, cv::LINE_AA,
+             kFractionalBits);
 }
 
 }  // namespace corvo

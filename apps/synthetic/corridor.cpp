@@ -12,12 +12,11 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr double kFrameRateHz = 30;
-constexpr double kBegin = -4, kEnd = 60;              ///< Along x, m.
-constexpr double kHalfWidth = 1.1, kHeight = 2.6;     ///< Along y and z, m.
-constexpr double kDoorSpacing = 5, kLampSpacing = 4;  ///< m
-constexpr double kNoticeSpacing = 9;                  ///< m
-constexpr double kReach = 25, kSpeed = 1.2;           ///< Range and speed of the walk, m and m/s.
+constexpr double kBegin = -4, kEnd = 60;                  ///< Along x, m.
+constexpr double kHalfWidth = 1.1, kCeilingHeight = 2.6;  ///< Along y and z, m.
+constexpr double kDoorSpacing = 5, kLampSpacing = 4;      ///< m
+constexpr double kNoticeSpacing = 9;                      ///< m
+constexpr double kReach = 25, kSpeed = 1.2;  ///< Range and speed of the walk, m and m/s.
 
 /// Returns the canvas with its contrast reduced to `percent`, centered on `gray`.
 Canvas Faint(Canvas canvas, int gray, int percent) {
@@ -67,8 +66,8 @@ class CorridorBuilder {
     quad.right = facing * Eigen::Vector3d::UnitY();
     quad.down = -Eigen::Vector3d::UnitZ();
     quad.width = 2 * kHalfWidth;
-    quad.height = kHeight;
-    quad.corner = Eigen::Vector3d(facing > 0 ? kBegin : kEnd, -facing * kHalfWidth, kHeight);
+    quad.height = kCeilingHeight;
+    quad.corner = Eigen::Vector3d(facing > 0 ? kBegin : kEnd, -facing * kHalfWidth, kCeilingHeight);
     return quad;
   }
 
@@ -82,9 +81,9 @@ class CorridorBuilder {
   void AddShell() {
     const int wall = scene_->AddTexture(Faint(DrawPlaster(61), 190, 20));
     const int floor = scene_->AddTexture(Faint(DrawAsphalt(62), 110, 15));
-    for (const int side : {1, -1}) Add(OnSide(side, kBegin, kEnd, 0, kHeight, 0), wall, 160);
+    for (const int side : {1, -1}) Add(OnSide(side, kBegin, kEnd, 0, kCeilingHeight, 0), wall, 160);
     for (const int facing : {1, -1}) Add(Across(facing), wall, 160);
-    Add(Horizontal(-1, kHeight, kBegin, kEnd, kHalfWidth), wall, 120);
+    Add(Horizontal(-1, kCeilingHeight, kBegin, kEnd, kHalfWidth), wall, 120);
     Add(Horizontal(1, 0, kBegin, kEnd, kHalfWidth), floor, 200);
   }
 
@@ -99,7 +98,7 @@ class CorridorBuilder {
   void AddLamps() {
     const int lamp = scene_->AddTexture(Faint(DrawPlaster(64), 225, 5));
     for (double x = kBegin + 1; x < kEnd - 1; x += kLampSpacing) {
-      Add(Horizontal(-1, kHeight - 0.01, x, x + 1.2, 0.15), lamp, 100);
+      Add(Horizontal(-1, kCeilingHeight - 0.01, x, x + 1.2, 0.15), lamp, 100);
     }
   }
 
@@ -115,7 +114,7 @@ class CorridorBuilder {
 };
 
 /// Returns the viewpoint of a walk down the corridor and back, facing the same way.
-Viewpoint WalkAt(double seconds) {
+Viewpoint WalkAlong(double seconds) {
   Viewpoint viewpoint;
   const double phase = kSpeed / kReach * seconds + 0.7;
   viewpoint.position =
@@ -128,6 +127,7 @@ Viewpoint WalkAt(double seconds) {
 }  // namespace
 
 Sequence MakeCorridor(const SequenceOptions& options) {
+  constexpr double kFrameRateHz = 30;
   CameraParameters camera;
   camera.width = 640;
   camera.height = 480;
@@ -137,7 +137,7 @@ Sequence MakeCorridor(const SequenceOptions& options) {
   const Camera chosen = ChooseCamera(camera, options);
   std::vector<SE3> poses;
   for (int i = 0; i < options.frames; ++i) {
-    poses.push_back(SceneFromCamera(WalkAt(i / kFrameRateHz)));
+    poses.push_back(SceneFromCamera(WalkAlong(i / kFrameRateHz)));
   }
   return Sequence("corridor", CorridorBuilder().Build(), chosen, kFrameRateHz, poses, options);
 }

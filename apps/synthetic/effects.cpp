@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "orb/error.h"
 
 namespace corvo::synthetic {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDarkness = 0.02;
 constexpr double kDriftPeriodS = 8;
 constexpr double kLongestS = 1e6;
@@ -31,7 +31,8 @@ void Effects::Validate() const {
 }
 
 double Brightness(const Effects& effects, double seconds) {
-  const double stops = effects.exposure_drift * std::sin(2 * kPi * seconds / kDriftPeriodS);
+  const double stops =
+      effects.exposure_drift * std::sin(2 * std::numbers::pi * seconds / kDriftPeriodS);
   return (effects.dark.Contains(seconds) ? kDarkness : 1.0) * std::exp2(stops);
 }
 

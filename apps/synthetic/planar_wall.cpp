@@ -10,8 +10,6 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr double kFrameRateHz = 30;
-
 /// Returns a scene with the plane x = 0, which is visible from negative x.
 std::shared_ptr<const Scene> BuildWall() {
   auto scene = std::make_shared<Scene>();
@@ -40,6 +38,7 @@ Viewpoint SwayAt(double seconds) {
 }  // namespace
 
 Sequence MakePlanarWall(const SequenceOptions& options) {
+  constexpr double kFrameRateHz = 30;
   CameraParameters camera;
   camera.width = 640;
   camera.height = 480;

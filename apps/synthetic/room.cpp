@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "apps/synthetic/materials.h"
@@ -11,7 +12,6 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLength = 6, kWidth = 5, kHeight = 3;  ///< Along x, y, z; the floor's center is 0.
 constexpr double kFrameRateHz = 30;
 constexpr double kLoopSeconds = 10;
@@ -60,7 +60,7 @@ class RoomBuilder {
     const Material walls[] = {NewMaterial(DrawPlaster(11), 230), NewMaterial(DrawBricks(12), 250)};
     for (int i = 0; i < 4; ++i) {
       const double width = i % 2 == 0 ? kWidth : kLength;
-      Quad wall = OnWall(i * kPi / 2, -width / 2, 0, width, kHeight, 0);
+      Quad wall = OnWall(i * std::numbers::pi / 2, -width / 2, 0, width, kHeight, 0);
       const Material& material = walls[i == 1 ? 1 : 0];
       wall.texture = material.texture;
       wall.texels_per_meter.setConstant(material.texels_per_meter);
@@ -113,7 +113,7 @@ class RoomBuilder {
     for (int i = 0; i < 4; ++i) textures[i] = scene_->AddTexture(images[i]);
     const auto hang = [&](int wall, double along, double bottom, double width, double height,
                           int image) {
-      Quad quad = OnWall(wall * kPi / 2, along, bottom, width, height, 0.01);
+      Quad quad = OnWall(wall * std::numbers::pi / 2, along, bottom, width, height, 0.01);
       quad.texture = textures[image];
       quad.texels_per_meter << 512 / width, 512 / height;
       scene_->AddLit(quad);
@@ -135,7 +135,7 @@ class RoomBuilder {
 /// Returns the viewpoint on a loop in space. The viewing direction sweeps over the far half of the
 /// room.
 Viewpoint WalkAt(double seconds) {
-  const double phase = 2 * kPi * seconds / kLoopSeconds;
+  const double phase = 2 * std::numbers::pi * seconds / kLoopSeconds;
   Viewpoint viewpoint;
   viewpoint.position = Eigen::Vector3d(-0.9 + 1.1 * std::cos(phase), 1.35 * std::sin(phase),
                                        1.4 + 0.25 * std::sin(2 * phase + 0.6));

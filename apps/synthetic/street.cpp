@@ -15,7 +15,6 @@
 namespace corvo::synthetic {
 namespace {
 
-constexpr double kFrameRateHz = 10;
 constexpr double kStride = 0.8;         ///< Distance between frames on a straight, m.
 constexpr double kCameraHeight = 1.65;  ///< m
 constexpr double kSight = 250;          ///< Length of the street beyond the last frame, m.
@@ -256,6 +255,7 @@ Viewpoint DriveAt(const StreetPath::Place& place, double distance) {
 }  // namespace
 
 Sequence MakeStreet(const SequenceOptions& options) {
+  constexpr double kFrameRateHz = 10;
   const Camera camera = ChooseCamera(StreetCamera(), options);
   const std::vector<double> distances = Drive(options.frames);
   const StreetPath path(std::max(kShortest, distances.back() + kSight));

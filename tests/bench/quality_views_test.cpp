@@ -16,11 +16,11 @@
 namespace corvo::bench {
 namespace {
 
-const cv::Size kSize(101, 81);
+const cv::Size kViewSize(101, 81);
 
 /// Returns an image of blobs at random positions.
 cv::Mat Blobs() {
-  cv::Mat image(kSize, CV_8U, cv::Scalar(50));
+  cv::Mat image(kViewSize, CV_8U, cv::Scalar(50));
   cv::RNG random(3);
   for (int i = 0; i < 12; ++i) {
     const int x = random.uniform(25, 76);

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include "tests/cli/temp_folder.h"
 
@@ -131,6 +132,10 @@ CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments) {
   CommandResult result = process.Wait();
   result.err = shown;
   return result;
+}
+
+int CountLines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 }  // namespace corvo::test

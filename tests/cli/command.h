@@ -7,6 +7,12 @@
 
 namespace corvo::test {
 
+// Exit codes of `corvo`.
+inline constexpr int kDone = 0;
+inline constexpr int kBadInput = 1;
+inline constexpr int kNeverInitialized = 2;
+inline constexpr int kLost = 3;
+
 /// The exit code and the output of a process.
 struct CommandResult {
   int exit_code = -1;  ///< -1 if it did not exit normally.
@@ -34,5 +40,7 @@ CommandResult InterruptCorvoAtPipe(const std::vector<std::string>& arguments,
 
 /// Runs `corvo` with a terminal as standard error; `err` is the output there.
 CommandResult RunCorvoOnTerminal(const std::vector<std::string>& arguments);
+
+int CountLines(const std::string& text);
 
 }  // namespace corvo::test

@@ -175,7 +175,6 @@ CommandResult ExampleFolder::Run(const std::string& command) const {
 }
 
 void ExampleFolder::ExpectRuns(const std::string& command) const {
-  constexpr int kNeverInitialized = 2;
   const CommandResult result = Run(command);
   const bool needs_scene =  // These images show no scene.
       command.starts_with("corvo run") || command.starts_with("corvo calibrate") ||

@@ -45,7 +45,7 @@ long CountOf(const std::string& name, const std::vector<Call>& calls) {
   return 0;
 }
 
-int CountLines(const std::string& text, const std::string& begin) {
+int CountLinesThatBegin(const std::string& text, const std::string& begin) {
   std::istringstream lines(text);
   int count = 0;
   for (std::string line; std::getline(lines, line);) count += line.starts_with(begin);
@@ -119,9 +119,9 @@ class FaultTest : public testing::Test {
     ++num_runs_;
     num_errors_ += result.exit_code != 0;
     EXPECT_THAT(result.exit_code, testing::AnyOf(0, 1)) << result.err;
-    EXPECT_EQ(CountLines(result.err, "corvo: error: "), result.exit_code) << result.err;
+    EXPECT_EQ(CountLinesThatBegin(result.err, "corvo: error: "), result.exit_code) << result.err;
     EXPECT_TRUE(libraries_complain ||
-                CountLines(result.err, "") == CountLines(result.err, "corvo: "))
+                CountLinesThatBegin(result.err, "") == CountLinesThatBegin(result.err, "corvo: "))
         << result.err;
   }
 

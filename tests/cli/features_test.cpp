@@ -16,12 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr int kBadInput = 1;
-
-int CountLines(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
 /// Returns line `index` (from 0) without its line end.
 std::string Line(const std::string& text, int index) {
   std::istringstream stream(text);

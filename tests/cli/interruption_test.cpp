@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr const char* kCamera =
+constexpr const char* kPinholeCamera =
     "model: pinhole\nwidth: 96\nheight: 64\nfx: 80\nfy: 81\ncx: 47\ncy: 31\n";
 
 /// A command that reads a pipe without a writer, as an input of any kind, waits for it.
@@ -25,7 +25,7 @@ class CommandThatWaits : public testing::TestWithParam<int> {
   CommandThatWaits() {
     EXPECT_EQ(mkfifo(pipe_.c_str(), 0600), 0);
     WriteFolder(folder_ / "images", 3);
-    WriteText(folder_ / "camera.yaml", kCamera);
+    WriteText(folder_ / "camera.yaml", kPinholeCamera);
     WriteText(folder_ / "truth.txt", "1 0 0 0 0 0 0 1\n");
     fs::create_directories(folder_ / "list");
     fs::create_symlink(pipe_, folder_ / "list/rgb.txt");

@@ -16,8 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr int kBadInput = 1;
-
 /// A fixture with a folder of three smooth images with many corners.
 class Learn : public testing::Test {
  protected:

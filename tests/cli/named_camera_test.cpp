@@ -22,8 +22,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr int kBadInput = 1;
-constexpr int kNeverInitialized = 2;
 constexpr int kNotCalibrated = 2;
 
 class NamedCamera : public testing::Test {

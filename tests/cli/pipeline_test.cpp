@@ -28,8 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kFrames = 40;
-constexpr int kDone = 0;
-constexpr int kLost = 3;
 
 /// Returns the number of lines that are not comments.
 int CountPoses(const fs::path& file) {
@@ -53,10 +51,6 @@ std::vector<std::string> LinesOf(const fs::path& file) {
 std::vector<double> NumbersOf(const std::string& line) {
   std::istringstream text(line);
   return {std::istream_iterator<double>(text), std::istream_iterator<double>()};
-}
-
-int CountLines(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 /// Returns the z coordinate of the first point of a map.

@@ -26,10 +26,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr int kBadInput = 1;
-constexpr int kNeverInitialized = 2;
-
-const char* const kCamera =
+const char* const kRunCamera =
     "model: pinhole-radtan\nwidth: 96\nheight: 64\nfx: 80\nfy: 80\ncx: 47.5\ncy: 31.5\n"
     "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
 
@@ -48,16 +45,12 @@ const char* const kReproducibleFiles[] = {"trajectory.tum",
                                           "pose_graph.g2o",
                                           "pose_graph_sim3.g2o"};
 
-int CountLines(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
 /// A fixture with a folder of five unrelated images and a camera file for them.
 class Run : public testing::Test {
  protected:
   Run() {
     WriteFolder(images_, 5);
-    WriteText(camera_, kCamera);
+    WriteText(camera_, kRunCamera);
   }
 
   /// Runs `corvo run <images> --camera <camera> -o <result>` with further arguments.

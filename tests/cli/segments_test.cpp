@@ -23,8 +23,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr int kDone = 0;
-constexpr int kLost = 3;
 constexpr int kFramesOfAScene = 15;
 
 /// A fixture with the images of a steady drive through one scene and then, after a cut, through

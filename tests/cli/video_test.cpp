@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr int kFrames = 20;
+constexpr int kVideoFrames = 20;
 
 /// Returns an image of brightness 20 + 5 `index` whose upper left quarter is white.
 cv::Mat Quartered(int index, const cv::Size& size = {kTinyWidth, kTinyHeight}) {
@@ -29,7 +29,7 @@ cv::Mat Quartered(int index, const cv::Size& size = {kTinyWidth, kTinyHeight}) {
 void WriteVideo(const fs::path& file, const cv::VideoWriter& opened) {
   cv::VideoWriter writer = opened;
   ASSERT_TRUE(writer.isOpened()) << file;
-  for (int i = 0; i < kFrames; ++i) writer.write(Quartered(i));
+  for (int i = 0; i < kVideoFrames; ++i) writer.write(Quartered(i));
 }
 
 /// Writes 20 images at 25 Hz.
@@ -64,13 +64,13 @@ TEST(DamagedVideo, ThatIsCutOffIsToldInTheSummary) {
     return nlohmann::json::parse(ReadText(folder / "out/summary.json"));
   };
   nlohmann::json complete = summary_of("whole.avi");
-  EXPECT_EQ(complete["video_frames"]["frames_promised"], kFrames);
-  EXPECT_EQ(complete["video_frames"]["frames_read"], kFrames);
+  EXPECT_EQ(complete["video_frames"]["frames_promised"], kVideoFrames);
+  EXPECT_EQ(complete["video_frames"]["frames_read"], kVideoFrames);
   EXPECT_EQ(complete["warnings"].dump().find("promises"), std::string::npos);
   nlohmann::json cut = summary_of("cut.avi");
-  EXPECT_EQ(cut["video_frames"]["frames_promised"], kFrames);
+  EXPECT_EQ(cut["video_frames"]["frames_promised"], kVideoFrames);
   EXPECT_EQ(cut["video_frames"]["frames_read"], cut["frames"]);
-  EXPECT_LT(cut["frames"], kFrames);
+  EXPECT_LT(cut["frames"], kVideoFrames);
   EXPECT_THAT(cut["warnings"].dump(), HasSubstr("cut off or damaged: it promises 20 frames"));
 }
 
@@ -84,10 +84,10 @@ TEST(DamagedVideo, IsReadOnBehindTheDamage) {
   ImageSource source = Open(folder / "drive.mp4");
   const std::vector<TimedImage> images = ReadAll(source);
   const VideoFrames frames = source.video_frames().value();
-  EXPECT_EQ(images.back().index, kFrames - 1);
-  EXPECT_EQ(images.back().time_ns, (kFrames - 1) * 40'000'000LL);
+  EXPECT_EQ(images.back().index, kVideoFrames - 1);
+  EXPECT_EQ(images.back().time_ns, (kVideoFrames - 1) * 40'000'000LL);
   EXPECT_GT(frames.num_damaged, 0);
-  EXPECT_EQ(frames.num_damaged + frames.num_read, kFrames);
+  EXPECT_EQ(frames.num_damaged + frames.num_read, kVideoFrames);
   EXPECT_EQ(static_cast<int>(images.size()), frames.num_read);
   EXPECT_THAT(VideoWarning(frames), HasSubstr("between them cannot be decoded"));
 }

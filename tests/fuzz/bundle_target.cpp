@@ -81,7 +81,7 @@ Bundle TakeBundle(const Camera& camera, Input& input) {
   return bundle;
 }
 
-AdjustmentOptions TakeOptions(Input& input) {
+AdjustmentOptions TakeAdjustmentOptions(Input& input) {
   AdjustmentOptions options;
   options.num_rounds = input.Int(1, 3);
   options.max_iterations = input.Int(1, 15);
@@ -136,7 +136,7 @@ void FuzzBundle(Bytes bytes) {
   Input input(bytes);
   const std::optional<Camera> camera = Camera::Make(TakeCamera(kWidth, kHeight, true, input));
   if (!camera) return;
-  const AdjustmentOptions options = TakeOptions(input);
+  const AdjustmentOptions options = TakeAdjustmentOptions(input);
   const CameraPrior prior = TakePrior(*camera, input);
   std::vector<Bundle> bundles;
   const int num_bundles = input.Int(1, 2);

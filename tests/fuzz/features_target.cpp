@@ -9,7 +9,7 @@
 namespace corvo::fuzz {
 namespace {
 
-orb::ExtractorOptions TakeOptions(Input& input) {
+orb::ExtractorOptions TakeExtractorOptions(Input& input) {
   orb::ExtractorOptions options;
   options.num_features = input.Int(0, 2000);
   options.num_levels = input.Int(1, 32);
@@ -65,7 +65,7 @@ std::vector<orb::Keypoint> TakeKeypoints(Input& input) {
 
 void FuzzFeatures(Bytes bytes) {
   Input input(bytes);
-  const orb::ExtractorOptions options = TakeOptions(input);
+  const orb::ExtractorOptions options = TakeExtractorOptions(input);
   const int width = input.Int(1, 200), height = input.Int(1, 200);
   const bool is_masked = input.Bool();
   const std::vector<orb::Keypoint> keypoints = TakeKeypoints(input);

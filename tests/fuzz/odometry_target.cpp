@@ -44,7 +44,7 @@ cv::Mat Draw(cv::Size size, const SE3& world_from_camera) {
   return image;
 }
 
-OdometryOptions TakeOptions(Input& input) {
+OdometryOptions TakeOdometryOptions(Input& input) {
   OdometryOptions options;
   options.extractor.num_features = input.Int(50, 400);
   options.extractor.num_levels = input.Int(1, 6);
@@ -172,7 +172,7 @@ void FuzzOdometry(Bytes bytes) {
   Input input(bytes);
   const int width = input.Int(48, 240), height = input.Int(48, 180);
   const cv::Size size(width, height);
-  const OdometryOptions options = TakeOptions(input);
+  const OdometryOptions options = TakeOdometryOptions(input);
   const bool is_common = input.Int(0, 3) != 0, is_refined = input.Bool();
   CameraParameters camera = TakeCamera(size.width, size.height, is_common, input);
   if (is_common) camera.fx = camera.fy = size.width;

@@ -7,11 +7,10 @@
 
 #include "orb/window_sums.h"
 #include "tests/orb/images.h"
+#include "tests/orb/pattern_access.h"
 
 namespace corvo::orb {
 namespace {
-
-bool Bit(const Descriptor& descriptor, int i) { return (descriptor.bytes[i / 8] >> (i % 8)) & 1; }
 
 /// Describes the center of a 43 x 43 image.
 Descriptor DescribeCenter(const cv::Mat& image, const Describer& describer, float angle_deg) {
@@ -34,7 +33,7 @@ TEST(DescriberTest, BitIsOneWhereTheWindowAtPIsDarker) {
       const auto& [p, q] = patterns[bin][i];
       const bool darker =
           test::WindowSum(image, 21 + p.x, 21 + p.y) < test::WindowSum(image, 21 + q.x, 21 + q.y);
-      ASSERT_EQ(Bit(descriptor, i), darker) << "test " << i;
+      ASSERT_EQ(test::Bit(descriptor, i), darker) << "test " << i;
     }
   }
 }

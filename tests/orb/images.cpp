@@ -59,6 +59,10 @@ cv::Matx33d ReadHomography(const std::string& relative) {
   return homography;
 }
 
+bool SameImage(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && cv::countNonZero(a != b) == 0;
+}
+
 const std::vector<std::string>& RealImages() {
   static const std::vector<std::string> paths = {
       "kitti/sequences/03/image_0/000000.png", "oxford_affine/graf/img1.ppm",

@@ -26,6 +26,9 @@ cv::Mat ReadGray(const std::string& relative);
 /// read.
 cv::Matx33d ReadHomography(const std::string& relative);
 
+/// Returns whether two images have the same size and pixels.
+bool SameImage(const cv::Mat& a, const cv::Mat& b);
+
 /// Returns the paths of test-data images that differ in kind: street, wall, trees, room.
 const std::vector<std::string>& RealImages();
 

@@ -5,24 +5,17 @@
 
 #include "orb/extractor.h"
 #include "tests/orb/images.h"
+#include "tests/orb/pattern_access.h"
 
 namespace corvo::orb {
 namespace {
-
-int PositionOf(const Offset& offset) {
-  return (offset.y + kMaxOffset) * (2 * kMaxOffset + 1) + offset.x + kMaxOffset;
-}
-
-bool Bit(const Descriptor& descriptor, int i) {
-  return (descriptor.bytes[i / 8] >> i % 8 & 1) != 0;
-}
 
 TEST(PositionAtTest, CoversThePatchRowByRow) {
   EXPECT_EQ(kNumPositions, 729);
   EXPECT_EQ(PositionAt(0), (Offset{-13, -13}));
   EXPECT_EQ(PositionAt(1), (Offset{-12, -13}));
   EXPECT_EQ(PositionAt(728), (Offset{13, 13}));
-  for (int i = 0; i < kNumPositions; ++i) EXPECT_EQ(PositionOf(PositionAt(i)), i);
+  for (int i = 0; i < kNumPositions; ++i) EXPECT_EQ(test::PositionOf(PositionAt(i)), i);
 }
 
 TEST(PatchSamplerTest, SumsReproduceTheDescriptorBits) {
@@ -38,8 +31,10 @@ TEST(PatchSamplerTest, SumsReproduceTheDescriptorBits) {
     ASSERT_EQ(sums.size(), features.keypoints.size());
     for (std::size_t k = 0; k < sums.size(); ++k) {
       for (int i = 0; i < kNumTests; ++i) {
-        const bool darker = sums[k][PositionOf(pattern[i].p)] < sums[k][PositionOf(pattern[i].q)];
-        ASSERT_EQ(Bit(features.descriptors[k], i), darker) << "keypoint " << k << ", test " << i;
+        const bool darker =
+            sums[k][test::PositionOf(pattern[i].p)] < sums[k][test::PositionOf(pattern[i].q)];
+        ASSERT_EQ(test::Bit(features.descriptors[k], i), darker)
+            << "keypoint " << k << ", test " << i;
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "tests/orb/pattern_access.h"
 #include "tests/support/matchers.h"
 #include "tests/support/random.h"
 
@@ -18,10 +19,6 @@ namespace {
 using test::ThrowsError;
 
 constexpr int kSize = 1000;
-
-int PositionOf(const Offset& offset) {
-  return (offset.y + kMaxOffset) * (2 * kMaxOffset + 1) + offset.x + kMaxOffset;
-}
 
 /// Returns a training set of independent sums that are equal in both views except in the columns
 /// left of `first_steady_x`, where both views are independent.
@@ -44,8 +41,8 @@ TrainingSet RandomTraining(int first_steady_x = -kMaxOffset, std::uint64_t seed 
 
 /// Returns the bits of a test over the first views as +1 (set) or -1.
 std::vector<int> Signs(const TrainingSet& training, const BinaryTest& test) {
-  const std::uint16_t* p = training.first(PositionOf(test.p));
-  const std::uint16_t* q = training.first(PositionOf(test.q));
+  const std::uint16_t* p = training.first(test::PositionOf(test.p));
+  const std::uint16_t* q = training.first(test::PositionOf(test.q));
   std::vector<int> signs(training.size());
   for (int k = 0; k < training.size(); ++k) signs[k] = p[k] < q[k] ? 1 : -1;
   return signs;
@@ -154,7 +151,7 @@ TEST(LearnPatternTest, TestsWhoseBitNeverVariesAreNotChosen) {
   TrainingSet training(kSize);
   training.Add(sums, sums);
   for (const auto& [p, q] : LearnPattern(training, 1).pattern) {
-    for (const int position : {PositionOf(p), PositionOf(q)}) {
+    for (const int position : {test::PositionOf(p), test::PositionOf(q)}) {
       EXPECT_NE(position, kDarkest);
       EXPECT_NE(position, kBrightest);
     }

@@ -16,10 +16,6 @@ namespace {
 
 using test::NoiseImage;
 
-bool SameImage(const cv::Mat& a, const cv::Mat& b) {
-  return a.size() == b.size() && cv::countNonZero(a != b) == 0;
-}
-
 TEST(OctaveScalesTest, ArePowersOfTheFactor) {
   EXPECT_THAT(OctaveScales(4, 2.0), testing::ElementsAre(1, 2, 4, 8));
   EXPECT_NEAR(OctaveScales(8, 1.2)[7], 3.5831808, 1e-12);
@@ -47,7 +43,7 @@ TEST(BuildPyramidTest, FirstLevelIsTheInputAndOthersAreResizedFromThePreviousOne
   const cv::Mat image = NoiseImage({100, 80}, 6);
   const auto levels = BuildPyramid(image, OctaveScales(3, 1.5));
   EXPECT_EQ(levels[0].image.data, image.data);
-  EXPECT_TRUE(SameImage(levels[2].image, Resize(levels[1].image, {44, 36})));
+  EXPECT_TRUE(test::SameImage(levels[2].image, Resize(levels[1].image, {44, 36})));
 }
 
 TEST(BuildPyramidTest, LevelsHaveAtLeastOnePixel) {

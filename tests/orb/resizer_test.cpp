@@ -17,17 +17,13 @@ namespace {
 using test::NoiseImage;
 using test::ShapesImage;
 
-bool SameImage(const cv::Mat& a, const cv::Mat& b) {
-  return a.size() == b.size() && cv::countNonZero(a != b) == 0;
-}
-
 const std::vector<std::pair<cv::Size, cv::Size>> kResizes = {
     {{640, 480}, {533, 400}}, {{101, 67}, {84, 56}}, {{64, 64}, {32, 32}},
     {{50, 31}, {13, 8}},      {{7, 5}, {1, 1}},      {{1, 1}, {1, 1}}};
 
 TEST(ResizeTest, SameSizeIsTheIdentity) {
   const cv::Mat image = NoiseImage({37, 23}, 1);
-  EXPECT_TRUE(SameImage(Resize(image, image.size()), image));
+  EXPECT_TRUE(test::SameImage(Resize(image, image.size()), image));
 }
 
 TEST(ResizeTest, HalfSizeAveragesFourPixels) {
@@ -41,7 +37,7 @@ TEST(ResizeTest, ConstantImageStaysConstant) {
   for (const int gray : {0, 1, 128, 255}) {
     for (const auto& [from, to] : kResizes) {
       const cv::Mat image(from, CV_8UC1, cv::Scalar(gray));
-      EXPECT_TRUE(SameImage(Resize(image, to), cv::Mat(to, CV_8UC1, cv::Scalar(gray))));
+      EXPECT_TRUE(test::SameImage(Resize(image, to), cv::Mat(to, CV_8UC1, cv::Scalar(gray))));
     }
   }
 }
@@ -70,11 +66,11 @@ TEST(ResizeTest, CommutesWithMirroringAndQuarterTurns) {
     for (const int axes : {-1, 0, 1}) {
       cv::flip(image, turned_image, axes);
       cv::flip(resized, turned, axes);
-      EXPECT_TRUE(SameImage(Resize(turned_image, to), turned)) << from << " flipped " << axes;
+      EXPECT_TRUE(test::SameImage(Resize(turned_image, to), turned)) << from << " flipped " << axes;
     }
     cv::rotate(image, turned_image, cv::ROTATE_90_CLOCKWISE);
     cv::rotate(resized, turned, cv::ROTATE_90_CLOCKWISE);
-    EXPECT_TRUE(SameImage(Resize(turned_image, turned.size()), turned)) << from;
+    EXPECT_TRUE(test::SameImage(Resize(turned_image, turned.size()), turned)) << from;
   }
 }
 
@@ -94,7 +90,7 @@ TEST(ResizerTest, AnyPartitionOfTheRowsGivesTheSameImage) {
     Resizer::RowCache cache;
     resizer.ResizeRows(image, begin, 81, cache, resized);
     resizer.ResizeRows(image, 0, begin, cache, resized);
-    EXPECT_TRUE(SameImage(resized, whole)) << begin;
+    EXPECT_TRUE(test::SameImage(resized, whole)) << begin;
   }
 }
 

@@ -16,8 +16,6 @@
 namespace corvo {
 namespace {
 
-constexpr TimeNs kFrameTime = 100'000'000;
-
 using test::MakeDrive;
 using test::TwoWalls;
 using ::testing::Each;
@@ -55,7 +53,7 @@ std::vector<cv::Mat> MakeCutBack() {
 Trajectory RunFilm(const std::vector<cv::Mat>& images, int threads = 1) {
   Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
   TimeNs time_ns = 0;
-  for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
+  for (const cv::Mat& image : images) odometry.Process(image, time_ns += test::kFrameTime);
   return odometry.Finish();
 }
 
@@ -79,7 +77,7 @@ TEST(OdometrySegmentsTest, ASegmentThatSeesAnEarlierOneIsJoinedWithItInItsScale)
   std::set<int> segments_when_posed;
   TimeNs time_ns = 0;
   for (const cv::Mat& image : RenderReturn()) {
-    const FrameResult frame = odometry.Process(image, time_ns += kFrameTime);
+    const FrameResult frame = odometry.Process(image, time_ns += test::kFrameTime);
     if (frame.world_from_camera) segments_when_posed.insert(frame.segment);
   }
   EXPECT_THAT(segments_when_posed, ::testing::ElementsAre(0, 1));
@@ -105,7 +103,7 @@ TEST(OdometrySegmentsTest, AJoinedRunIsRefinedAsOneSegment) {
   ObservationLog log;
   odometry.SetObservationCallback(log.Callback());
   TimeNs time_ns = 0;
-  for (const cv::Mat& image : RenderReturn()) odometry.Process(image, time_ns += kFrameTime);
+  for (const cv::Mat& image : RenderReturn()) odometry.Process(image, time_ns += test::kFrameTime);
   odometry.Finish();
   const Refinement refined = Refine(odometry, log);
   ASSERT_TRUE(refined.adjustment.is_usable());

@@ -19,15 +19,13 @@
 namespace corvo {
 namespace {
 
-constexpr TimeNs kFrameTime = 100'000'000;
-
 using test::MakeDrive;
 using test::TwoWalls;
 
 Trajectory RunDrive(const std::vector<cv::Mat>& images, int threads) {
   Odometry odometry(test::PinholeCamera(), OdometryOptions(), threads);
   TimeNs time_ns = 0;
-  for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
+  for (const cv::Mat& image : images) odometry.Process(image, time_ns += test::kFrameTime);
   return odometry.Finish();
 }
 
@@ -69,7 +67,7 @@ TEST(OdometryTest, ResultIsIdenticalForAnyNumberOfThreads) {
 Trajectory RunDriveWithout(const std::vector<int>& missing, const std::vector<cv::Mat>& images) {
   Odometry odometry(test::PinholeCamera());
   for (int i = 0; i < static_cast<int>(images.size()); ++i) {
-    const TimeNs time_ns = (i + 1) * kFrameTime;
+    const TimeNs time_ns = (i + 1) * test::kFrameTime;
     if (std::ranges::count(missing, i) == 0) {
       odometry.Process(images[i], time_ns);
     } else {
@@ -91,7 +89,7 @@ TEST(OdometryTest, TracksOnAfterMissingImages) {
     const FrameResult& frame = trajectory.frames[i];
     const bool is_missing = std::ranges::count(missing, i) > 0;
     EXPECT_EQ(frame.index, i);
-    EXPECT_EQ(frame.time_ns, (i + 1) * kFrameTime);
+    EXPECT_EQ(frame.time_ns, (i + 1) * test::kFrameTime);
     EXPECT_EQ(frame.world_from_camera.has_value(), !is_missing) << i;
     EXPECT_EQ(frame.reason, is_missing ? Reason::kUnreadableImage : Reason::kNone) << i;
   }
@@ -118,8 +116,8 @@ TEST(OdometryTest, InterleavedInstancesDoNotAffectEachOther) {
   const std::vector<cv::Mat> first = MakeDrive(15, 3), second = MakeDrive(15, 30);
   Odometry a(test::PinholeCamera()), b(test::PinholeCamera());
   for (int i = 0; i < 15; ++i) {
-    a.Process(first[i], (i + 1) * kFrameTime);
-    b.Process(second[i], (i + 1) * kFrameTime);
+    a.Process(first[i], (i + 1) * test::kFrameTime);
+    b.Process(second[i], (i + 1) * test::kFrameTime);
   }
   ExpectIdentical(a.Finish(), RunDrive(first, 1));
   ExpectIdentical(b.Finish(), RunDrive(second, 1));
@@ -128,11 +126,11 @@ TEST(OdometryTest, InterleavedInstancesDoNotAffectEachOther) {
 TEST(OdometryTest, AfterResetTheResultIsThatOfANewInstance) {
   const std::vector<cv::Mat> images = MakeDrive(6, 1);
   Odometry odometry(test::PinholeCamera());
-  for (int i = 0; i < 4; ++i) odometry.Process(images[5 - i], (i + 1) * kFrameTime);
+  for (int i = 0; i < 4; ++i) odometry.Process(images[5 - i], (i + 1) * test::kFrameTime);
   odometry.Reset();
   EXPECT_EQ(odometry.map().num_keyframes(), 0);
   TimeNs time_ns = 0;
-  for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
+  for (const cv::Mat& image : images) odometry.Process(image, time_ns += test::kFrameTime);
   ExpectIdentical(odometry.Finish(), RunDrive(images, 1));
 }
 
@@ -141,7 +139,7 @@ TEST(OdometryTest, LastFrameRefersToExistingLandmarksOnly) {
   Odometry odometry(test::PinholeCamera());
   EXPECT_EQ(odometry.last_frame().num_keypoints(), 0);
   for (int i = 0; i < 8; ++i) {
-    const FrameResult result = odometry.Process(images[i], (i + 1) * kFrameTime);
+    const FrameResult result = odometry.Process(images[i], (i + 1) * test::kFrameTime);
     const Frame& frame = odometry.last_frame();
     EXPECT_EQ(frame.index, i);
     EXPECT_EQ(frame.num_keypoints(), result.num_features);
@@ -221,7 +219,7 @@ TEST(OdometryTest, LandmarksOfADiscardedMapShareNoIdsWithThoseOfTheNext) {
   for (const cv::Mat& image : MakeCoveredDrive(330)) {
     const bool had_map = !odometry.map().empty();
     const int num_ids = odometry.map().num_landmark_ids();
-    odometry.Process(image, time_ns += kFrameTime);
+    odometry.Process(image, time_ns += test::kFrameTime);
     if (had_map && odometry.map().empty()) end_of_discarded = num_ids;
   }
   ASSERT_GT(end_of_discarded, 0) << "a map was discarded";
@@ -301,7 +299,7 @@ TEST(OdometryTest, ANewSegmentGetsKeyframesLikeTheFirst) {
   for (const cv::Mat& image : MakeDrive(25, 20)) drive.push_back(image);
   Odometry odometry(test::PinholeCamera());
   for (std::size_t i = 0; i < drive.size(); ++i) {
-    odometry.Process(drive[i], static_cast<TimeNs>(i + 1) * kFrameTime);
+    odometry.Process(drive[i], static_cast<TimeNs>(i + 1) * test::kFrameTime);
   }
   std::vector<int> num_keyframes(2);
   for (KeyframeId id = 0; id < odometry.map().num_keyframes(); ++id) {
@@ -336,7 +334,7 @@ TEST(OdometryTest, ANewSegmentWaitsForMaxLostTime) {
     Odometry odometry(test::PinholeCamera(), options);
     double started_s = 100;
     for (int i = 0; i < 24; ++i) {
-      const FrameResult result = odometry.Process(drive[i], (i + 1) * kFrameTime);
+      const FrameResult result = odometry.Process(drive[i], (i + 1) * test::kFrameTime);
       if (result.segment == 1) started_s = std::min(started_s, 0.1 * (i - 11));
     }
     EXPECT_GE(started_s, max_lost_s);
@@ -361,8 +359,8 @@ TEST(OdometryTest, OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory)
   });
   std::size_t half_way_bytes = 0;
   for (int i = 0; i < kFrames; ++i) {
-    everything.Process(drive[i], (i + 1) * kFrameTime);
-    newest.Process(drive[i], (i + 1) * kFrameTime);
+    everything.Process(drive[i], (i + 1) * test::kFrameTime);
+    newest.Process(drive[i], (i + 1) * test::kFrameTime);
     if (i == kFrames / 2) half_way_bytes = newest.memory_use().working_set_bytes;
   }
   EXPECT_GE(everything.GetTrajectory().PosedShare(), 0.9);
@@ -377,7 +375,7 @@ TEST(OdometryTest, OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory)
 
 TEST(OdometryTest, MemoryUseIncludesTheFramesThatWaitForInitialization) {
   Odometry odometry(test::PinholeCamera());
-  odometry.Process(MakeDrive(1, 9)[0], kFrameTime);
+  odometry.Process(MakeDrive(1, 9)[0], test::kFrameTime);
   EXPECT_GT(odometry.memory_use().working_set_bytes,
             odometry.map().working_set_bytes() + 500 * sizeof(orb::Descriptor));
   EXPECT_EQ(
@@ -389,17 +387,18 @@ TEST(OdometryTest, MemoryUseIncludesTheFramesThatWaitForInitialization) {
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {
   const std::vector<cv::Mat> drive = MakeDrive(3, 9);
   Odometry odometry(test::PinholeCamera());
-  odometry.Process(drive[0], kFrameTime);
+  odometry.Process(drive[0], test::kFrameTime);
   const auto process = [&](const cv::Mat& image, TimeNs time_ns) {
     return [&odometry, image, time_ns] { odometry.Process(image, time_ns); };
   };
-  EXPECT_THAT(process(drive[1], kFrameTime), test::ThrowsError("frame 1", "100000000 ns"));
-  EXPECT_THAT(process(cv::Mat(), 2 * kFrameTime), test::ThrowsError("image is", "640x480"));
-  EXPECT_THAT(process(cv::Mat(480, 640, CV_8UC3), 2 * kFrameTime), test::ThrowsError("CV_8UC3"));
-  EXPECT_THAT(process(cv::Mat(480, 641, CV_8UC1), 2 * kFrameTime),
+  EXPECT_THAT(process(drive[1], test::kFrameTime), test::ThrowsError("frame 1", "100000000 ns"));
+  EXPECT_THAT(process(cv::Mat(), 2 * test::kFrameTime), test::ThrowsError("image is", "640x480"));
+  EXPECT_THAT(process(cv::Mat(480, 640, CV_8UC3), 2 * test::kFrameTime),
+              test::ThrowsError("CV_8UC3"));
+  EXPECT_THAT(process(cv::Mat(480, 641, CV_8UC1), 2 * test::kFrameTime),
               test::ThrowsError("641x480", "640x480"));
   EXPECT_EQ(odometry.GetTrajectory().frames.size(), 1u);
-  EXPECT_EQ(odometry.Process(drive[1], 2 * kFrameTime).index, 1);
+  EXPECT_EQ(odometry.Process(drive[1], 2 * test::kFrameTime).index, 1);
 }
 
 TEST(OdometryTest, InvalidOptionsThrow) {
@@ -412,12 +411,12 @@ TEST(OdometryTest, InvalidOptionsThrow) {
 TEST(OdometryTest, AMovedFromObjectThrowsUntilAnotherIsAssignedToIt) {
   const std::vector<cv::Mat> images = MakeDrive(3, 1);
   Odometry first(test::PinholeCamera());
-  first.Process(images[0], kFrameTime);
+  first.Process(images[0], test::kFrameTime);
   Odometry second = std::move(first);
   const auto expect_error = [](const std::function<void()>& use) {
     EXPECT_THAT(use, test::ThrowsError("moved from"));
   };
-  expect_error([&] { first.Process(images[1], 2 * kFrameTime); });
+  expect_error([&] { first.Process(images[1], 2 * test::kFrameTime); });
   expect_error([&] { first.Finish(); });
   expect_error([&] { first.Reset(); });
   expect_error([&] { first.GetTrajectory(); });
@@ -432,10 +431,10 @@ TEST(OdometryTest, AMovedFromObjectThrowsUntilAnotherIsAssignedToIt) {
   expect_error([&] { first.SetLandmarkCallback({}); });
   expect_error([&] { first.SetObservationCallback({}); });
   first = std::move(second);
-  first.Process(images[1], 2 * kFrameTime);
+  first.Process(images[1], 2 * test::kFrameTime);
   EXPECT_EQ(first.GetTrajectory().frames.size(), 2u);
   second = Odometry(test::PinholeCamera());
-  second.Process(images[0], kFrameTime);
+  second.Process(images[0], test::kFrameTime);
   EXPECT_EQ(second.Finish().frames.size(), 1u);
 }
 

@@ -11,6 +11,8 @@
 
 namespace corvo::test {
 
+inline constexpr TimeNs kFrameTime = 100'000'000;
+
 /// Makes seeded noise of uniform 8 x 8 px blocks, whose corners are good ORB features.
 inline cv::Mat MakeTexture(int width, int height, std::uint64_t seed) {
   Random random(seed);

@@ -16,7 +16,7 @@ constexpr std::array<CameraModel, 3> kModels = {CameraModel::kPinhole, CameraMod
                                                 CameraModel::kFov};
 
 /// Returns the names of the distortion parameters.
-std::span<const std::string_view> DistortionNames(CameraModel model) {
+std::span<const std::string_view> DistortionFieldNames(CameraModel model) {
   static constexpr std::array<std::string_view, 5> kPinhole = {"k1", "k2", "p1", "p2", "k3"};
   static constexpr std::array<std::string_view, 4> kKb4 = {"k1", "k2", "k3", "k4"};
   static constexpr std::array<std::string_view, 1> kFov = {"omega"};
@@ -32,7 +32,7 @@ std::span<const std::string_view> DistortionNames(CameraModel model) {
 }
 
 bool Distorts(CameraModel model, std::string_view name) {
-  const auto names = DistortionNames(model);
+  const auto names = DistortionFieldNames(model);
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

@@ -32,7 +32,7 @@ inline Distorted MoveRadially(const Eigen::Vector2d& undistorted, double r, doub
           scale * Eigen::Matrix2d::Identity() + (slope - scale) * outwards * outwards.transpose()};
 }
 
-inline constexpr int kMaxIterations = 50;
+inline constexpr int kMaxUndistortionIterations = 50;
 inline constexpr double kTolerance = 1e-12;  ///< Final step size relative to 1 + coordinate.
 
 /// Returns the t in [0, high] with value(t) = `target`, found by Newton's method inside a shrinking
@@ -41,7 +41,7 @@ inline constexpr double kTolerance = 1e-12;  ///< Final step size relative to 1 
 template <typename Value, typename Slope>
 double InvertIncreasing(const Value& value, const Slope& slope, double high, double target) {
   double low = 0, t = std::min(target, high);
-  for (int i = 0; i < kMaxIterations; ++i) {
+  for (int i = 0; i < kMaxUndistortionIterations; ++i) {
     const double error = value(t) - target;
     (error < 0 ? low : high) = t;
     const double step = error / slope(t);

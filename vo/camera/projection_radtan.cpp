@@ -59,7 +59,7 @@ double UndistortRadius(const CameraParameters& p, double max_radius, double dist
 /// converges inside max_radius.
 std::optional<Eigen::Vector2d> UndistortFrom(const CameraParameters& p, double max_radius,
                                              const Eigen::Vector2d& target, Eigen::Vector2d point) {
-  for (int i = 0; i < kMaxIterations; ++i) {
+  for (int i = 0; i < kMaxUndistortionIterations; ++i) {
     const Distorted distorted = Distort(p, point);
     const Eigen::Vector2d step = distorted.jacobian.inverse() * (target - distorted.point);
     point += step;

@@ -20,7 +20,7 @@ constexpr double kMaxErrorRatio = 0.5;
 constexpr double kMaxErrorShare = 0.1;      ///< Of the extent of the ground truth.
 constexpr double kMaxAmbiguousShare = 0.2;  ///< Of the offsets that fit as well as the best.
 constexpr TimeNs kMaxOffsetOfOverlap = 5'000'000'000;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoMatch = std::numeric_limits<double>::infinity();
 
 PoseSequence Spread(const PoseSequence& poses) {
   const std::size_t count = std::min<std::size_t>(poses.size(), kMaxPoses);
@@ -69,12 +69,12 @@ class OffsetErrors {
   /// Returns the ATE, or infinity if there are too few pairs.
   double Of(const std::vector<TimeNs>& offsets) const {
     const std::vector<PosePair> pairs = Pairs(offsets);
-    if (static_cast<double>(pairs.size()) < NumNeeded()) return kInfinity;
+    if (static_cast<double>(pairs.size()) < NumNeeded()) return kNoMatch;
     try {
       const Sim3 aligned = Align(pairs, Alignment::kSim3);
       return Summarize(PositionErrors(MoveEstimates(aligned, pairs))).rmse;
     } catch (const Error&) {  // All positions are equal.
-      return kInfinity;
+      return kNoMatch;
     }
   }
 
@@ -107,7 +107,7 @@ double ExtentOf(const std::vector<PosePair>& pairs) {
 struct CoarseSearch {
   TimeNs best_ns = 0;
   TimeNs step_ns = 1;
-  double rmse = kInfinity;
+  double rmse = kNoMatch;
   std::vector<double> errors;
 
   bool IsAmbiguous() const {

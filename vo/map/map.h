@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <unordered_map>
@@ -46,6 +47,11 @@ struct Landmark {
   double max_distance = 0;  ///< Distance at which it would be detected in octave 0.
   int num_visible = 1;      ///< Frames in which it should have been observed.
   int num_found = 1;        ///< Frames in which it was observed.
+
+  bool IsObservedBy(KeyframeId keyframe) const {
+    return std::ranges::any_of(
+        track, [&](const TrackElement& element) { return element.keyframe == keyframe; });
+  }
 };
 
 /// An active frame of the map.

@@ -13,11 +13,6 @@
 namespace corvo {
 namespace {
 
-bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
-  return std::any_of(landmark.track.begin(), landmark.track.end(),
-                     [&](const TrackElement& o) { return o.keyframe == keyframe; });
-}
-
 /// Merges two landmarks into the one with more observations (the older one if equal).
 LandmarkMerge Merge(Map& map, LandmarkId a, LandmarkId b) {
   const std::size_t num_a = map.FindLandmark(a)->track.size();
@@ -53,7 +48,7 @@ class LandmarkFuser {
     std::vector<LandmarkId> unobserved;
     for (const LandmarkId id : landmarks) {
       const Landmark* landmark = map_.FindLandmark(id);
-      if (landmark != nullptr && !IsObservedBy(*landmark, keyframe)) unobserved.push_back(id);
+      if (landmark != nullptr && !landmark->IsObservedBy(keyframe)) unobserved.push_back(id);
     }
     return unobserved;
   }
@@ -69,7 +64,7 @@ class LandmarkFuser {
   /// another landmark, the two are merged.
   void FuseKeypoint(LandmarkId id, const TrackElement& element) {
     const Landmark* landmark = map_.FindLandmark(id);
-    if (landmark == nullptr || IsObservedBy(*landmark, element.keyframe)) return;
+    if (landmark == nullptr || landmark->IsObservedBy(element.keyframe)) return;
     if (!Fits(*landmark, element)) return;
     const LandmarkId present = map_.keyframe(element.keyframe).frame.landmarks[element.keypoint];
     if (present == kNoId) {

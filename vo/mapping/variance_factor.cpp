@@ -14,7 +14,7 @@ double VarianceFactor::Of(const PoseDependence& frame) const {
   return (frame.aligned.count * aligned_.value + frame.detected.count * detected_.value) / count;
 }
 
-void VarianceFactor::Mean::Add(const ErrorStatistics& errors) {
+void VarianceFactor::Mean::Add(const SquaredErrors& errors) {
   constexpr double kWeight = 0.1;  // Of the newest frame: the mean is over about ten frames.
   constexpr int kMinCount = 20;    // Fewer numbers say little.
   if (errors.count < kMinCount) return;

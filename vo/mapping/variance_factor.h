@@ -25,7 +25,7 @@ class VarianceFactor {
     double value = 1;
     bool is_known = false;
 
-    void Add(const ErrorStatistics& errors);
+    void Add(const SquaredErrors& errors);
   };
 
   Mean aligned_, detected_;

@@ -19,10 +19,10 @@ constexpr double kGroundShare = 0.5;  ///< Assumed share of the points that lie 
 constexpr double kPointWeight = 1.0 / 6;
 /// Standard deviation of the drift of the scale's logarithm along one camera height of the path.
 constexpr double kDrift = 0.001;
-constexpr double kNodeSpacing = 10;  ///< Distance between nodes of the filter, in heights.
-constexpr double kBin = 0.002;       ///< Width of the filter's bins of the logarithm.
-constexpr double kMaxFactor = 4;     ///< Heights may differ by this from the most frequent one.
-constexpr double kMinEvidence = 5;   ///< "Very strong": Kass and Raftery, 1995.
+constexpr double kNodeSpacing = 10;     ///< Distance between nodes of the filter, in heights.
+constexpr double kBin = 0.002;          ///< Width of the filter's bins of the logarithm.
+constexpr double kMaxHeightFactor = 4;  ///< Heights may differ by this from the most frequent one.
+constexpr double kMinEvidence = 5;      ///< "Very strong": Kass and Raftery, 1995.
 
 /// The logarithm of the height of the ground that a point would be of.
 struct Sample {
@@ -62,7 +62,7 @@ double MostFrequent(const std::vector<Sample>& samples) {
 }
 
 /// The posterior of one roll.
-struct Posterior {
+struct HeightPosterior {
   std::vector<GroundHeight::AtPlace> nodes;
   double evidence = 0;
 };
@@ -73,7 +73,7 @@ class HeightFilter {
   /// `lowest` is the logarithm of the lowest height.
   HeightFilter(double lowest, int num_nodes)
       : lowest_(lowest),
-        num_bins_(static_cast<int>(std::lround(2 * std::log(kMaxFactor) / kBin))),
+        num_bins_(static_cast<int>(std::lround(2 * std::log(kMaxHeightFactor) / kBin))),
         log_likelihood_(Eigen::ArrayXXd::Zero(num_bins_, num_nodes)) {
     const double sigma = kDrift * std::sqrt(kNodeSpacing) / kBin;
     const int reach = static_cast<int>(std::ceil(4 * sigma));
@@ -99,9 +99,9 @@ class HeightFilter {
     evidence_of_outliers_ += kPointWeight * std::log(1 - kGroundShare);
   }
 
-  Posterior Solve() const {
+  HeightPosterior Solve() const {
     const int num_nodes = static_cast<int>(log_likelihood_.cols());
-    Posterior posterior;
+    HeightPosterior posterior;
     posterior.evidence = evidence_of_outliers_;
     std::vector<Eigen::ArrayXd> forward(num_nodes);
     Eigen::ArrayXd belief = Eigen::ArrayXd::Constant(num_bins_, 1.0 / num_bins_);
@@ -183,11 +183,11 @@ GroundHeight Evaluate(const CameraPath& path, const std::vector<Sample>& samples
   const double typical = MostFrequent(samples);
   Nodes nodes{kNodeSpacing * std::exp(typical)};
   nodes.count = 1 + static_cast<int>(std::ceil(path.places().back().distance / nodes.spacing));
-  HeightFilter filter(typical - std::log(kMaxFactor), nodes.count);
+  HeightFilter filter(typical - std::log(kMaxHeightFactor), nodes.count);
   for (const Sample& sample : samples) {
     filter.Add(nodes.Nearest(path.places()[sample.place].distance), sample.log_height);
   }
-  const Posterior posterior = filter.Solve();
+  const HeightPosterior posterior = filter.Solve();
   GroundHeight ground;
   ground.roll = roll;
   ground.evidence = posterior.evidence;

@@ -134,7 +134,7 @@ class PoseEquations {
 
   void AddStatistics(int keypoint, const Landmark& landmark, const Terms& terms) {
     const Eigen::Vector2d error = terms.projected - frame_.pixel(keypoint);
-    ErrorStatistics& errors =
+    SquaredErrors& errors =
         frame_.is_aligned[keypoint] ? statistics_.aligned : statistics_.detected;
     errors.sum += error.dot(terms.information * error);
     errors.count += 2;

@@ -15,7 +15,7 @@
 namespace corvo {
 
 /// The sum of some squared errors, each in units of its variance, and their number.
-struct ErrorStatistics {
+struct SquaredErrors {
   double sum = 0;
   int count = 0;
 };
@@ -33,7 +33,7 @@ struct PoseDependence {
   SE3::Matrix6 noise = SE3::Matrix6::Zero();  ///< N, for independent keypoints with sigma_px.
   /// The errors of both axes of the keypoints that are aligned with their landmarks' patches, and
   /// of the others, in units of S.
-  ErrorStatistics aligned, detected;
+  SquaredErrors aligned, detected;
   double distance = 0;        ///< Median distance of the landmarks.
   double distance_sigma = 0;  ///< Median of its standard deviation, relative to the distance.
 };

@@ -12,7 +12,7 @@
 namespace corvo {
 namespace {
 
-constexpr int kMinCells = 20;                 ///< Textured cells.
+constexpr int kMinTexturedCells = 20;         ///< Textured cells.
 constexpr double kMinStillShare = 0.7;        ///< The rest may show things that move by themselves.
 constexpr double kMaxCellDisplacement = 0.3;  ///< px; noise of single cells.
 constexpr double kMaxMedianDisplacement = 0.1;  ///< px; far below the noise of a keypoint.
@@ -52,7 +52,7 @@ bool IsRepeat(CellDisplacement& reference, const ReducedImage& image) {
     const int num_moved = num_textured - still.size();
     if (num_moved > (1 - kMinStillShare) * num_cells.area()) return false;
   }
-  if (num_textured < kMinCells) {
+  if (num_textured < kMinTexturedCells) {
     return cv::norm(reference.reference().pixels, image.pixels, cv::NORM_INF) == 0;
   }
   return still.size() >= kMinStillShare * num_textured && still.AreZero();

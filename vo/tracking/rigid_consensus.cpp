@@ -8,7 +8,7 @@ namespace corvo {
 namespace {
 
 /// The share of inliers below which a second motion may compete with that of the scene.
-constexpr double kMinInlierShare = 0.8;
+constexpr double kMinRigidShare = 0.8;
 /// The least number of frames in which an established landmark was found.
 constexpr int kMinFound = 6;
 /// The least share of the frames that should have seen it in which it was found.
@@ -20,7 +20,7 @@ constexpr int kMinEstablished = 20;
 constexpr double kMinAgreement = 0.9;
 
 bool HasConflict(int num_inliers, int num_matches) {
-  return num_inliers < kMinInlierShare * num_matches;
+  return num_inliers < kMinRigidShare * num_matches;
 }
 
 bool IsEstablished(const Landmark& landmark) {

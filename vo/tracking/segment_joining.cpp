@@ -12,11 +12,6 @@
 namespace corvo {
 namespace {
 
-bool IsObservedBy(const Landmark& landmark, KeyframeId keyframe) {
-  return std::any_of(landmark.track.begin(), landmark.track.end(),
-                     [&](const TrackElement& o) { return o.keyframe == keyframe; });
-}
-
 bool HasOtherSegment(const Map& map, int segment) {
   const std::vector<KeyframeId> active = map.ActiveKeyframes();
   return std::any_of(active.begin(), active.end(),
@@ -121,7 +116,7 @@ std::vector<LandmarkMerge> MergeCommonLandmarks(const TwiceLocated& located,
   std::vector<LandmarkMerge> merges;
   for (int k = 0; k < static_cast<int>(located.landmarks.size()); ++k) {
     const LandmarkId other = map.Resolve(located.landmarks[k]);
-    if (other == kNoId || IsObservedBy(*map.FindLandmark(other), located.keyframe)) continue;
+    if (other == kNoId || map.FindLandmark(other)->IsObservedBy(located.keyframe)) continue;
     const LandmarkId own = map.keyframe(located.keyframe).frame.landmarks[k];
     if (own == kNoId) {
       map.AddTrackElement(other, {located.keyframe, k});

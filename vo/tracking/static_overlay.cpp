@@ -11,7 +11,7 @@ namespace {
 constexpr double kMaxStillDisplacement = 0.25;  ///< px; noise of a cell.
 constexpr double kMinMovedDisplacement = 1;     ///< px
 constexpr double kMinMovedShare = 0.4;          ///< Of the textured cells that are not masked.
-constexpr int kMinCells = 20;                   ///< Textured cells that are not masked.
+constexpr int kMinUnmaskedCells = 20;           ///< Textured cells that are not masked.
 constexpr int kMinStillImages = 10;
 constexpr int kMaxScore = 20;        ///< Bounds how long a masked cell has to move to be released.
 constexpr int kMovedPenalty = 3;     ///< A cell that moves by chance is still in the next image.
@@ -46,7 +46,7 @@ bool StaticOverlay::CountStill(const std::vector<CellMotion>& motion) {
     ++num_textured;
     num_moved += IsMoved(motion[i]);
   }
-  if (num_textured < kMinCells || num_moved < kMinMovedShare * num_textured) return false;
+  if (num_textured < kMinUnmaskedCells || num_moved < kMinMovedShare * num_textured) return false;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (!motion[i].is_textured) continue;
     const int evidence = motion[i].IsStill(kMaxStillDisplacement) ? 1 : -kMovedPenalty;

@@ -27,7 +27,7 @@ struct ColmapModel {
 
 constexpr CameraModel kRadtan = CameraModel::kPinhole;
 constexpr CameraModel kFisheye = CameraModel::kKb4;
-constexpr std::array<ColmapModel, 12> kModels = {{
+constexpr std::array<ColmapModel, 12> kColmapModels = {{
     {0, "SIMPLE_PINHOLE", 1, 0, kRadtan, {}},
     {1, "PINHOLE", 2, 0, kRadtan, {}},
     {2, "SIMPLE_RADIAL", 1, 1, kRadtan, {"k1"}},
@@ -85,8 +85,8 @@ struct BinaryCamera {
 };
 
 const ColmapModel* FindModel(int id) {
-  const auto found = std::ranges::find(kModels, id, &ColmapModel::id);
-  return found == kModels.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(kColmapModels, id, &ColmapModel::id);
+  return found == kColmapModels.end() ? nullptr : &*found;
 }
 
 /// Returns the cameras of cameras.bin up to the first one of a model that is not known. Empty if
@@ -134,8 +134,9 @@ StatedCamera ReadColmapTextCamera(const CalibrationContent& content, const std::
     const std::vector<std::string> fields = CalibrationFields(line);
     if (fields[0] != name) continue;
     StatedCamera stated{{}, {}, LinePrefix(content.file(), line)};
-    const auto model = std::ranges::find(kModels, fields[1], &ColmapModel::name);
-    if (model == kModels.end()) ThrowUnknownModel(stated.where + "MODEL", fields[1], kReadable);
+    const auto model = std::ranges::find(kColmapModels, fields[1], &ColmapModel::name);
+    if (model == kColmapModels.end())
+      ThrowUnknownModel(stated.where + "MODEL", fields[1], kReadable);
     std::vector<double> values;
     for (std::size_t i = 2; i < fields.size(); ++i) {
       values.push_back(ParseNumber(fields[i], stated.where));

@@ -19,7 +19,7 @@ struct DsoModel {
   std::size_t num_values() const { return 4 + coefficients.size(); }
 };
 
-constexpr std::array<DsoModel, 4> kModels = {{
+constexpr std::array<DsoModel, 4> kDsoModels = {{
     {"Pinhole", CameraModel::kFov, kFovCoefficients},  // omega is 0.
     {"FOV", CameraModel::kFov, kFovCoefficients},
     {"RadTan", CameraModel::kPinhole, std::span<const char* const>(kOpenCvCoefficients, 4)},
@@ -41,12 +41,12 @@ bool AreNumbers(std::span<const std::string> fields) {
 /// nullptr for any other line.
 const DsoModel* FindModel(const std::vector<std::string>& fields) {
   if (fields.empty()) return nullptr;
-  const auto named = std::ranges::find(kModels, fields[0], &DsoModel::name);
-  if (named != kModels.end()) return &*named;
+  const auto named = std::ranges::find(kDsoModels, fields[0], &DsoModel::name);
+  if (named != kDsoModels.end()) return &*named;
   if (!AreNumbers(fields)) return nullptr;
-  const auto unnamed =
-      std::ranges::find(kModels.begin() + 1, kModels.end(), fields.size(), &DsoModel::num_values);
-  return unnamed == kModels.end() ? nullptr : &*unnamed;
+  const auto unnamed = std::ranges::find(kDsoModels.begin() + 1, kDsoModels.end(), fields.size(),
+                                         &DsoModel::num_values);
+  return unnamed == kDsoModels.end() ? nullptr : &*unnamed;
 }
 
 /// Scales shares of the image's size, with the origin at its corner, to pixels. If cx and cy are

@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kKalibrDistortion = "distortion_coeffs";
 constexpr const char* kEurocDistortion = "distortion_coefficients";
 
-void SetDistortionOf(const DocumentFields& fields, const std::string& key,
-                     CameraParameters& camera) {
+void SetKalibrDistortion(const DocumentFields& fields, const std::string& key,
+                         CameraParameters& camera) {
   const std::string model = fields.Text("distortion_model");
   const std::string field = fields.where() + key;
   if (model == "radial-tangential" || model == "radtan") {
@@ -36,7 +36,7 @@ StatedCamera ReadSensor(const DocumentFields& fields, const std::string& distort
   if (model != "pinhole") ThrowUnknownModel(fields.where() + "camera_model", model, "pinhole");
   SetSize(fields.Numbers("resolution", 2, 2), fields.where() + "resolution", stated.parameters);
   SetIntrinsics(fields.Numbers("intrinsics", 4, 4), stated.parameters);
-  SetDistortionOf(fields, distortion_key, stated.parameters);
+  SetKalibrDistortion(fields, distortion_key, stated.parameters);
   stated.frame_rate_hz = StatedFrameRate(fields, "rate_hz");
   stated.where = fields.where();
   return stated;

@@ -7,16 +7,16 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kModel = "camera_model";
+constexpr const char* kCameraModel = "camera_model";
 constexpr const char* kCoefficients[] = {"k1", "k2", "k3", "k4", "p1", "p2"};
 
 CameraModel ReadModel(const DocumentFields& fields) {
-  const std::string model = fields.Text(kModel);
+  const std::string model = fields.Text(kCameraModel);
   if (model == "OPENCV_FISHEYE") return CameraModel::kKb4;
   const bool is_pinhole =
       model.empty() || model == "OPENCV" || model == "PINHOLE" || model == "SIMPLE_PINHOLE";
   if (is_pinhole) return CameraModel::kPinhole;
-  ThrowUnknownModel(fields.where() + kModel, model, "OPENCV, PINHOLE and OPENCV_FISHEYE");
+  ThrowUnknownModel(fields.where() + kCameraModel, model, "OPENCV, PINHOLE and OPENCV_FISHEYE");
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ StatedCamera ReadNerfstudioCamera(const CalibrationContent& content, const std::
                 camera);
   std::vector<double> values;
   for (const char* key : kCoefficients) values.push_back(fields.FindNumber(key).value_or(0));
-  const std::string model = fields.Has(kModel) ? fields.Text(kModel) : "OPENCV";
+  const std::string model = fields.Has(kCameraModel) ? fields.Text(kCameraModel) : "OPENCV";
   SetDistortion(kCoefficients, values, content.where() + "distortion", model, camera);
   return stated;
 }

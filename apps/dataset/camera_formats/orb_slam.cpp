@@ -5,7 +5,7 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kModel = "Camera.type";
+constexpr const char* kTypeKey = "Camera.type";
 
 /// Returns the coefficients "<name>.k1", ...; those that are left out are 0.
 std::vector<double> Coefficients(const DocumentFields& fields, const std::string& name,
@@ -17,9 +17,9 @@ std::vector<double> Coefficients(const DocumentFields& fields, const std::string
   return values;
 }
 
-void SetDistortionOf(const DocumentFields& fields, const std::string& name,
-                     CameraParameters& camera) {
-  std::string model = fields.Text(kModel);
+void SetOrbSlamDistortion(const DocumentFields& fields, const std::string& name,
+                          CameraParameters& camera) {
+  std::string model = fields.Text(kTypeKey);
   if (model.empty()) model = "PinHole";  // ORB-SLAM2 has no other.
   const std::string field = fields.where() + name;
   if (model == "PinHole") {
@@ -30,7 +30,7 @@ void SetDistortionOf(const DocumentFields& fields, const std::string& name,
     SetDistortion(kFisheyeCoefficients, Coefficients(fields, name, kFisheyeCoefficients), field,
                   model, camera);
   } else if (model != "Rectified") {
-    ThrowUnknownModel(fields.where() + kModel, model, "PinHole, KannalaBrandt8 and Rectified");
+    ThrowUnknownModel(fields.where() + kTypeKey, model, "PinHole, KannalaBrandt8 and Rectified");
   }
 }
 
@@ -54,7 +54,7 @@ StatedCamera ReadOrbSlamCamera(const CalibrationContent& content, const std::str
     SetSize({fields.Number("Camera.width"), fields.Number("Camera.height")},
             content.where() + "Camera", stated.parameters);
   }
-  SetDistortionOf(fields, name, stated.parameters);
+  SetOrbSlamDistortion(fields, name, stated.parameters);
   return stated;
 }
 

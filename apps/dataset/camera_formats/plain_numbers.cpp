@@ -10,7 +10,7 @@
 namespace corvo {
 namespace {
 
-constexpr const char* kModel = "OpenCV";
+constexpr const char* kModelName = "OpenCV";
 constexpr DocumentFields::Keys kWidth = {"image_width", "imageWidth", "width", "w"};
 constexpr DocumentFields::Keys kHeight = {"image_height", "imageHeight", "height", "h"};
 constexpr DocumentFields::Keys kDistortion = {"distortion_coefficients", "dist_coeffs",
@@ -45,7 +45,7 @@ StatedCamera ReadOneLineCamera(const CalibrationContent& content, const std::str
   }
   SetIntrinsics(values, stated.parameters);
   values.erase(values.begin(), values.begin() + 4);
-  SetDistortion(kOpenCvCoefficients, values, stated.where + "fx fy cx cy k1 k2 p1 p2", kModel,
+  SetDistortion(kOpenCvCoefficients, values, stated.where + "fx fy cx cy k1 k2 p1 p2", kModelName,
                 stated.parameters);
   return stated;
 }
@@ -69,8 +69,8 @@ StatedCamera ReadPlainCamera(const CalibrationContent& content, const std::strin
     SetSize({fields.Number(width), fields.Number(fields.FirstOf(kHeight))},
             content.where() + "image size", stated.parameters);
   }
-  SetDistortion(kOpenCvCoefficients, ReadDistortion(fields), content.where() + "distortion", kModel,
-                stated.parameters);
+  SetDistortion(kOpenCvCoefficients, ReadDistortion(fields), content.where() + "distortion",
+                kModelName, stated.parameters);
   const char* const rate = fields.Has("frame_rate_hz") ? "frame_rate_hz" : "fps";
   stated.frame_rate_hz = StatedFrameRate(fields, rate);
   return stated;

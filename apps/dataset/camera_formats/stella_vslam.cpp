@@ -34,7 +34,7 @@ class CameraSection {
   bool is_nested_;
 };
 
-void SetDistortionOf(const CameraSection& section, CameraParameters& camera) {
+void SetStellaDistortion(const CameraSection& section, CameraParameters& camera) {
   const std::string model = section.fields().Text(section.Key("model"));
   if (model == "perspective") {
     const std::span<const char* const> keys(kOpenCvCoefficients, 5);
@@ -58,7 +58,7 @@ std::vector<std::string> StellaCameras(const CalibrationContent& content) {
 StatedCamera ReadStellaCamera(const CalibrationContent& content, const std::string& /*name*/) {
   const CameraSection section(content);
   StatedCamera stated{{}, {}, content.where()};
-  SetDistortionOf(section, stated.parameters);
+  SetStellaDistortion(section, stated.parameters);
   SetIntrinsics(
       {section.Number("fx"), section.Number("fy"), section.Number("cx"), section.Number("cy")},
       stated.parameters);

@@ -9,24 +9,24 @@ namespace corvo::orb::kernels {
 namespace {
 
 constexpr int kSide = 2 * kMomentRadius + 3;  // with a margin of one pixel
-constexpr int kCenter = (kMomentRadius + 1) * (kSide + 1);
+constexpr int kMomentCenter = (kMomentRadius + 1) * (kSide + 1);
 
 TEST(SumDiscMomentsTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 50; ++seed) {
       const auto image = test::RandomBytes(kSide * kSide, seed);
-      EXPECT_EQ(SumDiscMoments(image.data() + kCenter, kSide),
-                scalar::SumDiscMoments(image.data() + kCenter, kSide));
+      EXPECT_EQ(SumDiscMoments(image.data() + kMomentCenter, kSide),
+                scalar::SumDiscMoments(image.data() + kMomentCenter, kSide));
     }
   });
 }
 
 TEST(SumDiscMomentsTest, StrongestContrastDoesNotOverflow) {
   std::vector<std::uint8_t> image(kSide * kSide, 0);
-  for (int i = kCenter; i < kSide * kSide; ++i) image[i] = 255;
+  for (int i = kMomentCenter; i < kSide * kSide; ++i) image[i] = 255;
   test::ForEveryInstructionSet([&] {
-    EXPECT_EQ(SumDiscMoments(image.data() + kCenter, kSide),
-              scalar::SumDiscMoments(image.data() + kCenter, kSide));
+    EXPECT_EQ(SumDiscMoments(image.data() + kMomentCenter, kSide),
+              scalar::SumDiscMoments(image.data() + kMomentCenter, kSide));
   });
 }
 
@@ -36,11 +36,11 @@ TEST(SumDiscMomentsTest, EqualsTheSumOverTheDisc) {
   for (int dy = -15; dy <= 15; ++dy) {
     for (int dx = -15; dx <= 15; ++dx) {
       if (dx * dx + dy * dy > 225) continue;
-      expected.x += dx * image[kCenter + dy * kSide + dx];
-      expected.y += dy * image[kCenter + dy * kSide + dx];
+      expected.x += dx * image[kMomentCenter + dy * kSide + dx];
+      expected.y += dy * image[kMomentCenter + dy * kSide + dx];
     }
   }
-  EXPECT_EQ(scalar::SumDiscMoments(image.data() + kCenter, kSide), expected);
+  EXPECT_EQ(scalar::SumDiscMoments(image.data() + kMomentCenter, kSide), expected);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ using test::SimilarDescriptors;
 
 using Descriptors = std::vector<Descriptor>;
 
-Nearest Find(const Descriptor& query, const Descriptors& train, const std::vector<int>& among) {
+Nearest FindAmong(const Descriptor& query, const Descriptors& train,
+                  const std::vector<int>& among) {
   return FindNearestAmong(query, train.data(), among.data(), static_cast<int>(among.size()));
 }
 
@@ -35,7 +36,7 @@ TEST(FindNearestAmongTest, MatchesTheScalarVersion) {
       const auto among = SomeIndices(count);
       for (const auto& train : {RandomDescriptors(count, 1), SimilarDescriptors(count, 2)}) {
         for (const auto& query : {FilledDescriptor(0), FilledDescriptor(0xff)}) {
-          ASSERT_EQ(Find(query, train, among),
+          ASSERT_EQ(FindAmong(query, train, among),
                     scalar::FindNearestAmong(query, train.data(), among.data(),
                                              static_cast<int>(among.size())))
               << count;
@@ -50,19 +51,19 @@ TEST(FindNearestAmongTest, TheOrderOfCandidatesDoesNotMatter) {
     const auto train = SimilarDescriptors(60, 3);
     std::vector<int> among(60);
     std::iota(among.begin(), among.end(), 0);
-    const Nearest ascending = Find(train[5], train, among);
+    const Nearest ascending = FindAmong(train[5], train, among);
     std::reverse(among.begin(), among.end());
-    EXPECT_EQ(Find(train[5], train, among), ascending);
+    EXPECT_EQ(FindAmong(train[5], train, among), ascending);
   });
 }
 
 TEST(FindNearestAmongTest, EqualDistancesGoToTheLowerIndices) {
   test::ForEveryInstructionSet([] {
     const Descriptors train(9, FilledDescriptor(0x11));
-    EXPECT_EQ(Find(FilledDescriptor(0x11), train, {8, 4, 2, 6}), (Nearest{2, 0, 0, 4}));
-    EXPECT_EQ(Find(FilledDescriptor(0xee), train, {7, 3}), (Nearest{3, 256, 256, 7}));
-    EXPECT_EQ(Find(FilledDescriptor(0x10), train, {5}), (Nearest{5, 32, 257, -1}));
-    EXPECT_EQ(Find(FilledDescriptor(0x10), train, {}), Nearest{});
+    EXPECT_EQ(FindAmong(FilledDescriptor(0x11), train, {8, 4, 2, 6}), (Nearest{2, 0, 0, 4}));
+    EXPECT_EQ(FindAmong(FilledDescriptor(0xee), train, {7, 3}), (Nearest{3, 256, 256, 7}));
+    EXPECT_EQ(FindAmong(FilledDescriptor(0x10), train, {5}), (Nearest{5, 32, 257, -1}));
+    EXPECT_EQ(FindAmong(FilledDescriptor(0x10), train, {}), Nearest{});
   });
 }
 

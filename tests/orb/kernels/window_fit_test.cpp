@@ -8,7 +8,7 @@
 namespace corvo::orb::kernels {
 namespace {
 
-constexpr int kStride = 17;
+constexpr int kWindowStride = 17;
 
 FitTemplate RandomTemplate(unsigned seed) {
   const auto bytes = test::RandomBytes(3 * kFitPixels, seed);
@@ -24,9 +24,9 @@ FitTemplate RandomTemplate(unsigned seed) {
 TEST(FitWindowTest, MatchesTheScalarVersion) {
   test::ForEveryInstructionSet([] {
     for (unsigned seed = 0; seed < 100; ++seed) {
-      const auto pixels = test::RandomBytes(kStride * kStride, seed);
+      const auto pixels = test::RandomBytes(kWindowStride * kWindowStride, seed);
       const float share = static_cast<float>(seed) / 100;
-      const WindowPlace place = {pixels.data() + seed % 5, kStride, share, 0.99F - share};
+      const WindowPlace place = {pixels.data() + seed % 5, kWindowStride, share, 0.99F - share};
       const FitTemplate wanted = RandomTemplate(seed);
       EXPECT_EQ(FitWindow(place, wanted), scalar::FitWindow(place, wanted));
     }
@@ -34,15 +34,15 @@ TEST(FitWindowTest, MatchesTheScalarVersion) {
 }
 
 TEST(FitWindowTest, SumsEqualAHandComputedExample) {
-  std::vector<std::uint8_t> pixels(kStride * kStride);
-  for (int i = 0; i < kStride * kStride; ++i) {
-    pixels[i] = static_cast<std::uint8_t>(128 + 2 * (i % kStride) + 4 * (i / kStride));
+  std::vector<std::uint8_t> pixels(kWindowStride * kWindowStride);
+  for (int i = 0; i < kWindowStride * kWindowStride; ++i) {
+    pixels[i] = static_cast<std::uint8_t>(128 + 2 * (i % kWindowStride) + 4 * (i / kWindowStride));
   }
   FitTemplate wanted{};
   wanted.gray[0] = 3;               // Column 0, row 0.
   wanted.by_x[kFitSide - 1] = 5;    // Column 7, row 0.
   wanted.by_y[kFitPixels - 1] = 7;  // Column 7, row 7.
-  const WindowFit fit = scalar::FitWindow({pixels.data(), kStride, 0.5F, 0.25F}, wanted);
+  const WindowFit fit = scalar::FitWindow({pixels.data(), kWindowStride, 0.5F, 0.25F}, wanted);
   EXPECT_FLOAT_EQ(fit.with_gray, 3 * (1 + 1));
   EXPECT_FLOAT_EQ(fit.with_x, 5 * (1 + 1 + 14));
   EXPECT_FLOAT_EQ(fit.with_y, 7 * (1 + 1 + 14 + 28));

@@ -25,20 +25,20 @@ double GreatestDistance(const Camera& first, const Camera& second) {
   return greatest;
 }
 
-Camera Distorted(double k1) {
+Camera DistortedCamera(double k1) {
   CameraParameters parameters = test::PinholeCamera().parameters();
   parameters.k1 = k1;
   return Camera(parameters);
 }
 
 TEST(CameraFitTest, FittingTheSameModelReturnsTheSameCamera) {
-  const Camera camera = Distorted(-0.1);
+  const Camera camera = DistortedCamera(-0.1);
   EXPECT_EQ(FitCamera(camera, CameraModel::kPinhole), camera.parameters());
 }
 
 TEST(CameraFitTest, AFisheyeModelReproducesAPinholeCamera) {
   for (const double k1 : {-0.2, 0.0, 0.1}) {
-    const Camera camera = Distorted(k1);
+    const Camera camera = DistortedCamera(k1);
     EXPECT_LT(GreatestDistance(camera, Camera(FitCamera(camera, CameraModel::kKb4))), 0.1) << k1;
   }
 }

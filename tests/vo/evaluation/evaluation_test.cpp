@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "tests/support/data.h"
 #include "tests/support/matchers.h"
@@ -21,7 +22,6 @@ using test::IsSimilarityNear;
 using test::ThrowsError;
 using ::testing::DoubleNear;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr TimeNs kSecond = 1'000'000'000;
 
 SE3 At(double x, double y = 0, double z = 0) { return SE3(SO3(), Eigen::Vector3d(x, y, z)); }
@@ -102,7 +102,8 @@ TEST(AlignTest, RecoversAKnownSimilarity) {
   const std::vector<PosePair> pairs = {{0, At(0, 0, 0), At(10, 0, 5)},
                                        {1, At(1, 0, 0), At(10, 2, 5)},
                                        {2, At(0, 1, 0), At(8, 0, 5)}};
-  const Sim3 expected(2, SO3::Exp(Eigen::Vector3d(0, 0, kPi / 2)), Eigen::Vector3d(10, 0, 5));
+  const Sim3 expected(2, SO3::Exp(Eigen::Vector3d(0, 0, std::numbers::pi / 2)),
+                      Eigen::Vector3d(10, 0, 5));
   EXPECT_THAT(Align(pairs, Alignment::kSim3), IsSimilarityNear(expected, 1e-12, 1e-12, 1e-14));
 }
 
@@ -227,7 +228,8 @@ TEST(RelativeErrorTest, MeasuresASpuriousRotation) {
   const auto pairs = MakePairs(
       5, [](int i) { return SE3(SO3::Exp(Eigen::Vector3d(0, 0.02 * i, 0)), At(i).translation()); },
       [](int i) { return At(i); });
-  EXPECT_NEAR(RelativeErrorOverFrames(pairs, 2).rotation_deg.mean, 0.04 * 180 / kPi, 1e-12);
+  EXPECT_NEAR(RelativeErrorOverFrames(pairs, 2).rotation_deg.mean, 0.04 * 180 / std::numbers::pi,
+              1e-12);
 }
 
 TEST(RelativeErrorTest, DoesNotDependOnTheWorldFrame) {
@@ -281,7 +283,7 @@ TEST(KittiDriftTest, MeasuresAScaleError) {
 }
 
 TEST(KittiDriftTest, MeasuresARotationError) {
-  const double step = 0.01 * kPi / 180;
+  const double step = 0.01 * std::numbers::pi / 180;
   const auto pairs = MakePairs(
       150,
       [&](int i) { return SE3(SO3::Exp(Eigen::Vector3d(0, step * i, 0)), At(i).translation()); },
@@ -293,7 +295,7 @@ TEST(KittiDriftTest, EvaluatesEveryLengthFromEveryTenthFrame) {
   // The path has 1000 m in steps of 2 m, 501 poses. A stretch of L m ends at the first pose more
   // than L m along the path, L / 2 + 1 steps later, so stretches start at frames 0, 10 ... up to
   // 500 - L / 2 - 1. The estimate turns by a fixed angle and moves 3% too far in each step.
-  const double step_rad = 0.02 * kPi / 180;
+  const double step_rad = 0.02 * std::numbers::pi / 180;
   const auto pairs = MakePairs(
       501,
       [&](int i) {

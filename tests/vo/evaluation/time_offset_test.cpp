@@ -13,8 +13,8 @@ namespace {
 
 using test::ThrowsError;
 
-constexpr TimeNs kSecond = 1'000'000'000;
-constexpr TimeNs kFrame = kSecond / 20;
+constexpr TimeNs kOneSecond = 1'000'000'000;
+constexpr TimeNs kFrame = kOneSecond / 20;
 
 Eigen::Vector3d Curve(double t) {
   return {std::sin(0.9 * t) + 0.2 * t, std::cos(0.7 * t), 0.5 * std::sin(1.3 * t)};
@@ -43,10 +43,10 @@ TEST(FindTimeOffset, FindsAConstantOffset) {
 }
 
 TEST(FindTimeOffset, FindsAnOffsetBetweenClocksThatDoNotOverlap) {
-  const PoseSequence truth = ShiftTimes(1'400'000'000 * kSecond, Along(0, 400, 0));
+  const PoseSequence truth = ShiftTimes(1'400'000'000 * kOneSecond, Along(0, 400, 0));
   const auto found = FindTimeOffset(Along(2, 200, 0.005), truth);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(static_cast<double>(found->offset_ns - 1'400'000'000 * kSecond), 0, 3e6);
+  EXPECT_NEAR(static_cast<double>(found->offset_ns - 1'400'000'000 * kOneSecond), 0, 3e6);
   EXPECT_FALSE(found->rmse_without);
 }
 
@@ -70,12 +70,12 @@ TEST(FindTimeOffset, DoesNotDependOnTheOrigin) {
   const SE3 far(SO3(), {3000, -2000, 1000});
   for (TimedPose& pose : truth) pose.world_from_camera = far * pose.world_from_camera;
   EXPECT_FALSE(FindTimeOffset(unrelated, truth));
-  EXPECT_FALSE(FindTimeOffset(ShiftTimes(1000 * kSecond, unrelated), truth));
-  EXPECT_TRUE(FindTimeOffset(ShiftTimes(-kSecond, Along(2, 200, 0.005)), truth));
+  EXPECT_FALSE(FindTimeOffset(ShiftTimes(1000 * kOneSecond, unrelated), truth));
+  EXPECT_TRUE(FindTimeOffset(ShiftTimes(-kOneSecond, Along(2, 200, 0.005)), truth));
 }
 
 TEST(FindTimeOffset, SuspectsNothingInAnInaccurateTrajectoryWhereverTheOriginIs) {
-  const PoseSequence rough = ShiftTimes(-kSecond, Along(2, 200, 0.6));
+  const PoseSequence rough = ShiftTimes(-kOneSecond, Along(2, 200, 0.6));
   for (const double origin : {0.0, 1000.0}) {
     PoseSequence truth = Along(0, 400, 0);
     for (TimedPose& pose : truth) {
@@ -88,8 +88,8 @@ TEST(FindTimeOffset, SuspectsNothingInAnInaccurateTrajectoryWhereverTheOriginIs)
 TEST(FindTimeOffset, SuspectsNothingOnAStraightPath) {
   PoseSequence truth;
   for (int i = 0; i < 200; ++i) truth.push_back({i * kFrame, SE3(SO3(), {0.1 * i, 0, 0})});
-  EXPECT_FALSE(FindTimeOffset(ShiftTimes(kSecond, truth), truth));
-  EXPECT_FALSE(FindTimeOffset(ShiftTimes(1000 * kSecond, truth), truth));
+  EXPECT_FALSE(FindTimeOffset(ShiftTimes(kOneSecond, truth), truth));
+  EXPECT_FALSE(FindTimeOffset(ShiftTimes(1000 * kOneSecond, truth), truth));
 }
 
 TEST(ShiftTimes, ChecksTheRange) {

@@ -12,7 +12,7 @@
 namespace corvo {
 namespace {
 
-constexpr double kSigma = 1.0 / 500;
+constexpr double kRaySigma = 1.0 / 500;
 
 /// Returns exact matches of a scene's points in two views.
 std::vector<RayMatch> MatchViews(const SE3& second_from_first) {
@@ -20,7 +20,7 @@ std::vector<RayMatch> MatchViews(const SE3& second_from_first) {
   std::vector<RayMatch> matches;
   for (const Eigen::Vector3d& in_first : test::MakeBoxScene(300, 3, 12, random).in_world) {
     const Eigen::Vector3d in_second = second_from_first * in_first;
-    matches.push_back({in_first.hnormalized(), in_second.hnormalized(), kSigma});
+    matches.push_back({in_first.hnormalized(), in_second.hnormalized(), kRaySigma});
   }
   return matches;
 }

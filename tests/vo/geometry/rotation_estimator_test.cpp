@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-constexpr double kFocal = 500;
+constexpr double kFocalLength = 500;
 
 /// Returns matched rays of random points in two views, with uniform noise of up to `sigma_px` in x
 /// and y; every `wrong_every`-th match is wrong (0: none).
@@ -22,9 +22,9 @@ std::vector<RayMatch> MatchViews(const SE3& first_from_second, double sigma_px, 
   for (const Eigen::Vector3d& in_first : test::MakeBoxScene(300, 3, 15, random).in_world) {
     const Eigen::Vector3d in_second = first_from_second.Inverse() * in_first;
     RayMatch match;
-    match.first = in_first.hnormalized() + random.Vector<2>(sigma_px / kFocal);
-    match.second = in_second.hnormalized() + random.Vector<2>(sigma_px / kFocal);
-    match.sigma = 1 / kFocal;
+    match.first = in_first.hnormalized() + random.Vector<2>(sigma_px / kFocalLength);
+    match.second = in_second.hnormalized() + random.Vector<2>(sigma_px / kFocalLength);
+    match.sigma = 1 / kFocalLength;
     if (wrong_every > 0 && matches.size() % wrong_every == 0) match.second += random.Vector<2>(0.5);
     matches.push_back(match);
   }

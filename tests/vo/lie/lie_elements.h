@@ -10,6 +10,7 @@
 namespace corvo::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kTinyDeg = 1e-12;
 
 /// Returns rotation vectors at which formulas tend to break: zero, tiny, around the switch between
 /// series and closed form, near π and π itself, along the axes and askew; and 100 random ones.

@@ -17,10 +17,9 @@ using test::AwkwardMotions;
 using test::IsMatrixNear;
 using test::IsPoseNear;
 using test::kPi;
+using test::kTinyDeg;
 using test::NumericJacobian;
 using test::ThrowsError;
-
-constexpr double kTinyDeg = 1e-12;
 
 /// Returns the tolerance for rounding errors of a motion's translation.
 double Rounding(const SE3::Tangent& motion) {

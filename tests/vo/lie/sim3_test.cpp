@@ -19,9 +19,8 @@ using test::IsMatrixNear;
 using test::IsPoseNear;
 using test::IsSimilarityNear;
 using test::kPi;
+using test::kTinyDeg;
 using test::ThrowsError;
-
-constexpr double kTinyDeg = 1e-12;
 
 /// Returns AwkwardMotions() with scales from 1/50 to 50, including 1.
 std::vector<Sim3::Tangent> AwkwardSimilarities() {

@@ -17,11 +17,11 @@ using test::AwkwardRotations;
 using test::IsMatrixNear;
 using test::IsRotationNear;
 using test::kPi;
+using test::kTinyDeg;
 using test::NumericJacobian;
 using test::ThrowsError;
 
 constexpr double kTiny = 1e-14;
-constexpr double kTinyDeg = 1e-12;
 
 TEST(SO3Test, DefaultIsIdentity) {
   EXPECT_EQ(SO3().matrix(), Eigen::Matrix3d::Identity());

@@ -22,23 +22,23 @@ std::optional<LandmarkView> ViewFrom(const SE3& world_from_camera) {
   return ProjectLandmark(MakeLandmark(), world_from_camera, test::MakeModel(1, 5));
 }
 
-SE3 At(double x, double y, double z) { return SE3(SO3(), Eigen::Vector3d(x, y, z)); }
+SE3 PositionedAt(double x, double y, double z) { return SE3(SO3(), Eigen::Vector3d(x, y, z)); }
 
 TEST(LandmarkProjectionTest, PredictsPixelAngleAndOctave) {
-  const auto view = ViewFrom(At(0, 0, 1e-9));
+  const auto view = ViewFrom(PositionedAt(0, 0, 1e-9));
   ASSERT_TRUE(view);
   EXPECT_THAT(view->pixel, test::IsMatrixNear(Eigen::Vector2d(319.5, 239.5), 1e-9));
   EXPECT_NEAR(view->view_cosine, 1, 1e-12);
   EXPECT_THAT(view->octave, ::testing::AnyOf(2, 3));
-  EXPECT_EQ(ViewFrom(At(0, 0, 10 - 14))->octave, 1);  // Farther: finer octave.
-  EXPECT_EQ(ViewFrom(At(0, 0, 10 - 8))->octave, 4);   // Nearer: coarser octave.
-  EXPECT_EQ(ViewFrom(At(0, 0, 10 - 7))->octave, 4);   // The coarsest octave.
+  EXPECT_EQ(ViewFrom(PositionedAt(0, 0, 10 - 14))->octave, 1);  // Farther: finer octave.
+  EXPECT_EQ(ViewFrom(PositionedAt(0, 0, 10 - 8))->octave, 4);   // Nearer: coarser octave.
+  EXPECT_EQ(ViewFrom(PositionedAt(0, 0, 10 - 7))->octave, 4);   // The coarsest octave.
 }
 
 TEST(LandmarkProjectionTest, LandmarksOutOfViewHaveNoProjection) {
-  EXPECT_FALSE(ViewFrom(At(0, 0, 11)));   // Behind the camera.
-  EXPECT_FALSE(ViewFrom(At(0, 0, -20)));  // Too far for octave 0.
-  EXPECT_FALSE(ViewFrom(At(0, 0, 8)));    // Too near for the last octave.
+  EXPECT_FALSE(ViewFrom(PositionedAt(0, 0, 11)));   // Behind the camera.
+  EXPECT_FALSE(ViewFrom(PositionedAt(0, 0, -20)));  // Too far for octave 0.
+  EXPECT_FALSE(ViewFrom(PositionedAt(0, 0, 8)));    // Too near for the last octave.
   EXPECT_FALSE(ViewFrom(SE3(SO3::Exp({0, 1, 0}), Eigen::Vector3d::Zero())));  // Outside the image.
   const SE3 beside(SO3::Exp({0, -1.2, 0}), Eigen::Vector3d(9.5, 0, 6.5));
   EXPECT_FALSE(ViewFrom(beside));  // More than 60 degrees off its view direction.

@@ -14,7 +14,7 @@
 namespace corvo {
 namespace {
 
-constexpr double kSigmaPx = 0.5;
+constexpr double kEdgeSigmaPx = 0.5;
 
 /// A map of keyframes along a path, whose edges are collected as they are added.
 class KeyframeEdgesTest : public ::testing::Test {
@@ -25,10 +25,11 @@ class KeyframeEdgesTest : public ::testing::Test {
     std::vector<test::SceneView> views;
     for (int i = 0; i < kNumViews; ++i) {
       const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), {0.3 * i, 0, 0.2 * i});
-      views.push_back(test::ObserveScene(scene_, test::PinholeCamera(), pose, kSigmaPx, random_));
+      views.push_back(
+          test::ObserveScene(scene_, test::PinholeCamera(), pose, kEdgeSigmaPx, random_));
       views.back().frame.index = 10 * i;
     }
-    map_ = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
+    map_ = test::MakeMap(scene_, views, test::MakeModel(kEdgeSigmaPx));
     uncertainty_.ComputeWindow(map_, kNumViews - 1);
     edges_.AddKeyframe(map_, uncertainty_, {});
   }
@@ -79,15 +80,15 @@ TEST_F(KeyframeEdgesTest, TheScaleHasTheErrorsOfTheKeyframesThatHandItOn) {
   std::vector<test::SceneView> views;
   for (int i = 0; i < 2 * kNumViews; ++i) {
     const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), {0.3 * i, 0, 0.2 * i});
-    views.push_back(test::ObserveScene(scene_, test::PinholeCamera(), pose, kSigmaPx, random_));
+    views.push_back(test::ObserveScene(scene_, test::PinholeCamera(), pose, kEdgeSigmaPx, random_));
     views.back().frame.index = 10 * i;
     if (i < kNumViews) continue;
-    Map map = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
+    Map map = test::MakeMap(scene_, views, test::MakeModel(kEdgeSigmaPx));
     uncertainty.ComputeWindow(map, i);
     edges.AddKeyframe(map, uncertainty, {});
     edges.Renew(map, uncertainty, {});
   }
-  const Map map = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
+  const Map map = test::MakeMap(scene_, views, test::MakeModel(kEdgeSigmaPx));
   const PoseGraph graph = edges.ToGraph(map);
   const auto edge = std::ranges::find_if(
       graph.edges, [](const PoseGraphEdge& e) { return e.first == 5 && e.second == 6; });

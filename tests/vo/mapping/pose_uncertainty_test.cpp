@@ -13,7 +13,7 @@
 namespace corvo {
 namespace {
 
-constexpr double kSigmaPx = 0.5;
+constexpr double kLocatedSigmaPx = 0.5;
 
 /// Keyframes along a path with the landmarks that they observe, and a frame after them.
 class PoseUncertaintyTest : public ::testing::Test {
@@ -29,14 +29,14 @@ class PoseUncertaintyTest : public ::testing::Test {
   test::SceneView View(int i) {
     const SE3 pose(SO3::Exp({0.01 * i, 0.03 * i, -0.01 * i}), {0.3 * i, 0.05 * i, 0.2 * i});
     test::SceneView view =
-        test::ObserveScene(scene_, test::PinholeCamera(), pose, kSigmaPx, random_);
+        test::ObserveScene(scene_, test::PinholeCamera(), pose, kLocatedSigmaPx, random_);
     view.frame.index = i;
     return view;
   }
 
   Map MapOf(int num_views) const {
     return test::MakeMap(scene_, {views_.begin(), views_.begin() + num_views},
-                         test::MakeModel(kSigmaPx));
+                         test::MakeModel(kLocatedSigmaPx));
   }
 
   /// Returns the frame of a view with the landmarks of a map.

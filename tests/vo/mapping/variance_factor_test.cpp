@@ -6,7 +6,7 @@
 namespace corvo {
 namespace {
 
-PoseDependence ErrorsOf(ErrorStatistics aligned, ErrorStatistics detected) {
+PoseDependence ErrorsOf(SquaredErrors aligned, SquaredErrors detected) {
   PoseDependence dependence;
   dependence.aligned = aligned;
   dependence.detected = detected;

@@ -16,7 +16,7 @@ namespace corvo {
 namespace {
 
 constexpr int kWidth = 640;
-constexpr int kHeight = 480;
+constexpr int kImageHeight = 480;
 
 /// Parameters of simulated pairs of images of a scene.
 struct ViewPair {
@@ -40,11 +40,11 @@ SE3 MoveAside(test::Random& random) { return SE3(SO3(), {random.Uniform(0.3, 0.8
 
 PixelMatches MatchViews(const ViewPair& pair, test::Random& random) {
   const Camera camera({.width = kWidth,
-                       .height = kHeight,
+                       .height = kImageHeight,
                        .fx = pair.focal,
                        .fy = pair.focal,
                        .cx = 0.5 * (kWidth - 1),
-                       .cy = 0.5 * (kHeight - 1)});
+                       .cy = 0.5 * (kImageHeight - 1)});
   const test::PointScene scene =
       pair.is_plane ? test::MakePlaneScene(600, 6, random) : test::MakeBoxScene(600, 3, 12, random);
   const SE3 second_from_first = pair.first_from_second(random).Inverse();
@@ -57,7 +57,7 @@ PixelMatches MatchViews(const ViewPair& pair, test::Random& random) {
     for (double& u : match.first) u += random.Gaussian(pair.noise_px);
     for (double& u : match.second) u += random.Gaussian(pair.noise_px);
     if (pair.wrong_every > 0 && matches.size() % pair.wrong_every == 0) {
-      match.second = {random.Uniform(0, kWidth), random.Uniform(0, kHeight)};
+      match.second = {random.Uniform(0, kWidth), random.Uniform(0, kImageHeight)};
     }
     matches.push_back(match);
   }
@@ -68,7 +68,7 @@ FocalSearchResult Search(const ViewPair& pair, int seed = 1) {
   test::Random random(seed);
   std::vector<PixelMatches> pairs;
   for (int i = 0; i < pair.num_pairs; ++i) pairs.push_back(MatchViews(pair, random));
-  return SearchFocal(pairs, kWidth, kHeight);
+  return SearchFocal(pairs, kWidth, kImageHeight);
 }
 
 class FocalSearchTest : public ::testing::TestWithParam<double> {};
@@ -125,7 +125,7 @@ TEST(FocalSearch, UninformativePairsDoNotHideInformativeOnes) {
     pairs.push_back(MatchViews(
         {.noise_px = 0.5, .first_from_second = turns ? TurnAndMove : MoveForward}, random));
   }
-  const FocalSearchResult result = SearchFocal(pairs, kWidth, kHeight);
+  const FocalSearchResult result = SearchFocal(pairs, kWidth, kImageHeight);
   EXPECT_TRUE(result.is_determined) << result.focal_sigma;
   EXPECT_NEAR(result.camera.fx / 500, 1, 0.03);
 }
@@ -139,9 +139,9 @@ TEST(FocalSearch, TwiceTheSamePairsHalveTheVariance) {
     pairs.push_back(
         MatchViews({.focal = focal, .noise_px = 0.1, .first_from_second = TurnAndMove}, random));
   }
-  const FocalSearchResult once = SearchFocal(pairs, kWidth, kHeight);
+  const FocalSearchResult once = SearchFocal(pairs, kWidth, kImageHeight);
   pairs.insert(pairs.end(), {pairs[0], pairs[1]});
-  const FocalSearchResult twice = SearchFocal(pairs, kWidth, kHeight);
+  const FocalSearchResult twice = SearchFocal(pairs, kWidth, kImageHeight);
   EXPECT_NEAR(std::pow(twice.focal_sigma / once.focal_sigma, 2), 0.5, 1e-9);
   EXPECT_NEAR(twice.camera.fx, once.camera.fx, 1e-9);
 }
@@ -151,7 +151,7 @@ TEST(FocalSearch, AFocalLengthOutsideTheSweepIsNotDetermined) {
   const std::vector<PixelMatches> pairs = {MatchViews({.first_from_second = TurnAndMove}, random)};
   FocalSearchOptions options;
   options.max_fov_deg = 50;  // That of the images is 65.
-  EXPECT_FALSE(SearchFocal(pairs, kWidth, kHeight, options).is_determined);
+  EXPECT_FALSE(SearchFocal(pairs, kWidth, kImageHeight, options).is_determined);
 }
 
 TEST(FocalSearch, ReturnsACenteredPinholeCameraAndTheSweep) {
@@ -167,13 +167,13 @@ TEST(FocalSearch, ReturnsACenteredPinholeCameraAndTheSweep) {
 
 TEST(FocalSearch, WithoutMatchesReturnsADefaultLensAsUndetermined) {
   for (const auto& pairs : {std::vector<PixelMatches>{}, std::vector<PixelMatches>(3)}) {
-    const FocalSearchResult result = SearchFocal(pairs, kWidth, kHeight);
+    const FocalSearchResult result = SearchFocal(pairs, kWidth, kImageHeight);
     EXPECT_EQ(result.num_pairs, 0);
     EXPECT_FALSE(result.is_determined);
     EXPECT_TRUE(std::isinf(result.focal_sigma));
     EXPECT_NEAR(result.camera.fx, 457, 1);  // Field of view: 70 degrees.
   }
-  EXPECT_THROW(SearchFocal({}, 0, kHeight), Error);
+  EXPECT_THROW(SearchFocal({}, 0, kImageHeight), Error);
 }
 
 TEST(FocalSearch, ResultIsIdenticalWhenRepeated) {

@@ -18,8 +18,6 @@
 namespace corvo {
 namespace {
 
-constexpr TimeNs kFrameTime = 100'000'000;
-
 /// An odometry and the log of its observations.
 struct Recorded {
   explicit Recorded(const OdometryOptions& options = {},
@@ -31,7 +29,7 @@ struct Recorded {
   void Drive(int num_frames, std::uint64_t seed) { Drive(test::MakeDrive(num_frames, seed)); }
 
   void Drive(const std::vector<cv::Mat>& images) {
-    for (const cv::Mat& image : images) odometry.Process(image, time_ns += kFrameTime);
+    for (const cv::Mat& image : images) odometry.Process(image, time_ns += test::kFrameTime);
     odometry.Finish();
   }
 

@@ -18,7 +18,7 @@ using ::testing::Each;
 using ::testing::Ge;
 using ::testing::Gt;
 
-constexpr double kNoisePx = 0.5;
+constexpr double kImageNoisePx = 0.5;
 
 CameraPrior Exact(const Camera& camera) { return {camera.parameters(), {}}; }
 
@@ -59,7 +59,7 @@ void ExpectUnchanged(const Bundle& bundle, const Bundle& before) {
 TEST(GlobalAdjustmentTest, LowersTheCostAndTheError) {
   test::Random random(1);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kImageNoisePx, random);
   std::vector<Bundle> bundles{truth};
   Disturb(bundles[0], 0.02, random);
   const double error_before = PoseError(bundles[0], truth);
@@ -72,14 +72,14 @@ TEST(GlobalAdjustmentTest, LowersTheCostAndTheError) {
   EXPECT_LT(PoseError(bundles[0], truth), 0.5 * error_before);
   EXPECT_EQ(result.num_observations, static_cast<int>(truth.observations.size()));
   EXPECT_NEAR(result.num_inliers / static_cast<double>(result.num_observations), 0.97, 0.03);
-  EXPECT_NEAR(result.inlier_rms_px, std::sqrt(2.0) * kNoisePx, 0.15);
+  EXPECT_NEAR(result.inlier_rms_px, std::sqrt(2.0) * kImageNoisePx, 0.15);
   EXPECT_EQ(result.camera, camera.parameters());
 }
 
 TEST(GlobalAdjustmentTest, OutliersAreDetectedAndHardlyAffectThePoses) {
   test::Random random(2);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kImageNoisePx, random);
   std::vector<Bundle> bundles{truth};
   for (std::size_t i = 0; i < bundles[0].observations.size(); i += 20) {
     bundles[0].observations[i].pixel += 40 * random.Vector<2>();
@@ -93,7 +93,7 @@ TEST(GlobalAdjustmentTest, OutliersAreDetectedAndHardlyAffectThePoses) {
   for (std::size_t i = 0; i < bundles[0].observations.size(); i += 20) {
     const Bundle::Observation& observation = bundles[0].observations[i];
     const double moved_px = (observation.pixel - truth.observations[i].pixel).norm();
-    if (moved_px <= 10 * kNoisePx) continue;
+    if (moved_px <= 10 * kImageNoisePx) continue;
     ++num_gross;
     num_kept += observation.is_inlier;
   }
@@ -112,7 +112,7 @@ Recovery Recover(const Camera& truth, const CameraParameters& given,
                  const std::vector<std::string>& free, int num_bundles, test::Random& random) {
   std::vector<Bundle> bundles;
   for (int i = 0; i < num_bundles; ++i) {
-    bundles.push_back(test::MakeObservedBundle(truth, 12, kNoisePx, random));
+    bundles.push_back(test::MakeObservedBundle(truth, 12, kImageNoisePx, random));
   }
   CameraPrior prior{given, {}};
   for (const std::string& name : free) prior.free.push_back({name});
@@ -169,7 +169,7 @@ TEST(GlobalAdjustmentTest, ATightPriorKeepsTheGivenCamera) {
   test::Random random(5);
   CameraParameters camera = test::PinholeCamera().parameters();
   camera.k1 = 0.05;
-  std::vector<Bundle> bundles{test::MakeObservedBundle(Camera(camera), 12, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(Camera(camera), 12, kImageNoisePx, random)};
   const CameraPrior prior{test::PinholeCamera().parameters(), {{"k1", 1e-7}}};
   const AdjustmentSummary result = Adjust(prior, prior.given, bundles);
   EXPECT_TRUE(result.is_usable()) << ToString(result.status);
@@ -180,7 +180,7 @@ TEST(GlobalAdjustmentTest, InformationFactorScalesTheWeightOfTheObservations) {
   constexpr double kFactor = 4;
   test::Random random(13);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 12, kNoisePx, random)},
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 12, kImageNoisePx, random)},
       again = bundles;
   const CameraPrior prior{camera.parameters(), {{"focal", 0.01}, {"k1", 0.01}}};
   const AdjustmentSummary counted = BundleAdjuster({.num_rounds = 2, .information_factor = kFactor})
@@ -211,7 +211,7 @@ TEST(GlobalAdjustmentTest, APerfectSolutionIsUnchanged) {
 TEST(GlobalAdjustmentTest, SolutionOfHigherCostIsRejected) {
   test::Random random(14);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kImageNoisePx, random)};
   Adjust(Exact(camera), camera.parameters(), bundles);
   const Bundle before = bundles[0];
   // The second round fits the few observations that the first one leaves within 0.1 sigma.
@@ -225,7 +225,7 @@ TEST(GlobalAdjustmentTest, SolutionOfHigherCostIsRejected) {
 TEST(GlobalAdjustmentTest, BundlesAreUnchangedIfAnObservationIsNotFinite) {
   test::Random random(7);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kImageNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   bundles[0].observations[5].pixel.x() = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Bundle> before = bundles;
@@ -240,7 +240,7 @@ TEST(GlobalAdjustmentTest, BundlesAreUnchangedIfAnObservationIsNotFinite) {
 TEST(GlobalAdjustmentTest, APointBehindACameraIsAnOutlierAndDoesNotStopTheAdjustment) {
   test::Random random(8);
   const Camera camera = test::PinholeCamera();
-  const Bundle truth = test::MakeObservedBundle(camera, 12, kNoisePx, random);
+  const Bundle truth = test::MakeObservedBundle(camera, 12, kImageNoisePx, random);
   std::vector<Bundle> bundles{truth};
   Disturb(bundles[0], 0.02, random);
   bundles[0].points[3].in_local *= -1;
@@ -256,7 +256,7 @@ TEST(GlobalAdjustmentTest, ResultDoesNotDependOnMemoryAddresses) {
     test::Random random(9);
     std::vector<Bundle> bundles;
     for (int i = 0; i < 3; ++i) {
-      bundles.push_back(test::MakeObservedBundle(test::PinholeCamera(), 8, kNoisePx, random));
+      bundles.push_back(test::MakeObservedBundle(test::PinholeCamera(), 8, kImageNoisePx, random));
     }
     const CameraPrior prior{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.1}}};
     const AdjustmentSummary result = Adjust(prior, prior.given, bundles);
@@ -277,7 +277,7 @@ TEST(GlobalAdjustmentTest, ManyViewsAreSolvedBySparseAlgebra) {
   const Camera camera = test::PinholeCamera();
   std::vector<Bundle> truth, bundles;
   for (int i = 0; i < 28; ++i)
-    truth.push_back(test::MakeObservedBundle(camera, 11, kNoisePx, random));
+    truth.push_back(test::MakeObservedBundle(camera, 11, kImageNoisePx, random));
   bundles = truth;
   for (Bundle& bundle : bundles) Disturb(bundle, 0.02, random);
   const CameraPrior prior{camera.parameters(), {{"focal", 0.01}}};
@@ -294,7 +294,7 @@ TEST(GlobalAdjustmentTest, ManyViewsAreSolvedBySparseAlgebra) {
 TEST(GlobalAdjustmentTest, ProgressCallbackCancels) {
   test::Random random(12);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 8, kImageNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   const Bundle before = bundles[0];
   int num_calls = 0;
@@ -308,7 +308,7 @@ TEST(GlobalAdjustmentTest, ProgressCallbackCancels) {
 TEST(GlobalAdjustmentTest, ReportsItsProgress) {
   test::Random random(11);
   const Camera camera = test::PinholeCamera();
-  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 6, kNoisePx, random)};
+  std::vector<Bundle> bundles{test::MakeObservedBundle(camera, 6, kImageNoisePx, random)};
   Disturb(bundles[0], 0.02, random);
   std::vector<double> shares;
   Adjust(Exact(camera), camera.parameters(), bundles, [&](double share) {

@@ -14,10 +14,11 @@ namespace corvo {
 namespace {
 
 constexpr int kNumViews = 5;
-constexpr double kSigmaPx = 0.5;
+constexpr double kKeyframeSigmaPx = 0.5;
 
 Bundle MakeBundle(int num_fixed, test::Random& random) {
-  Bundle bundle = test::MakeObservedBundle(test::PinholeCamera(), kNumViews, kSigmaPx, random);
+  Bundle bundle =
+      test::MakeObservedBundle(test::PinholeCamera(), kNumViews, kKeyframeSigmaPx, random);
   for (int view = 0; view < num_fixed; ++view) bundle.views[view].is_fixed = true;
   return bundle;
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr int kNumKeyframes = 6;
 
 /// Returns a path that bends, in units of `unit`.
-std::vector<SE3> Path(double unit) {
+std::vector<SE3> PathInUnits(double unit) {
   std::vector<SE3> path;
   for (int i = 0; i < kNumKeyframes; ++i) {
     path.emplace_back(SO3::Exp({0.02 * i, 0.1 * i, 0}),
@@ -38,7 +38,7 @@ Eigen::Matrix<double, 6, 7> ByMotion(const SE3& center, const SE3& keyframe) {
 
 /// A window in which the innovation of each keyframe moves all that follow by a similarity.
 struct Window {
-  explicit Window(double unit) : path(Path(unit)) {
+  explicit Window(double unit) : path(PathInUnits(unit)) {
     test::Random random(3);
     Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(6 * kNumKeyframes, 6 * kNumKeyframes);
     for (int j = 0; j < kNumKeyframes; ++j) {

@@ -11,16 +11,16 @@
 namespace corvo {
 namespace {
 
-constexpr double kSigmaPx = 0.5;
+constexpr double kPoseSigmaPx = 0.5;
 
 /// A map of four keyframes and a frame that observes its landmarks.
 class PoseDependenceTest : public ::testing::Test {
  protected:
   PoseDependenceTest() {
     std::vector<test::SceneView> views;
-    for (int i = 0; i < 4; ++i) views.push_back(View(i, kSigmaPx));
-    map_ = test::MakeMap(scene_, views, test::MakeModel(kSigmaPx));
-    const test::SceneView view = View(4, kSigmaPx);
+    for (int i = 0; i < 4; ++i) views.push_back(View(i, kPoseSigmaPx));
+    map_ = test::MakeMap(scene_, views, test::MakeModel(kPoseSigmaPx));
+    const test::SceneView view = View(4, kPoseSigmaPx);
     frame_ = view.frame;
     for (int k = 0; k < frame_.num_keypoints(); ++k) {
       frame_.landmarks[k] = LandmarkAt(scene_.in_world[view.points[k]]);

@@ -58,16 +58,16 @@ TEST(PoseOptimizerTest, DetectsOutliers) {
 /// displaced with a standard deviation of 0.02 along each axis; `is_reported` sets the covariance
 /// of these points.
 double MeanError(bool is_reported, int num_scenes) {
-  constexpr double kSigma = 0.02;
+  constexpr double kPoseSigma = 0.02;
   test::Random random(3);
   double sum = 0;
   for (int i = 0; i < num_scenes; ++i) {
     auto observations = Observe(100, 0.3, random);
     for (std::size_t k = 0; k < observations.size(); k += 2) {
       observations.points[k].in_world += Eigen::Vector3d{
-          random.Gaussian(kSigma), random.Gaussian(kSigma), random.Gaussian(kSigma)};
+          random.Gaussian(kPoseSigma), random.Gaussian(kPoseSigma), random.Gaussian(kPoseSigma)};
       if (is_reported)
-        observations.points[k].covariance = kSigma * kSigma * Eigen::Matrix3d::Identity();
+        observations.points[k].covariance = kPoseSigma * kPoseSigma * Eigen::Matrix3d::Identity();
     }
     const PoseEstimate estimate = OptimizePose(kTruth, observations, test::PinholeCamera());
     sum += (estimate.world_from_camera.translation() - kTruth.translation()).norm();

@@ -15,13 +15,13 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// Views 0.3 apart along x of a box of points.
-struct Path {
+struct ObservedPath {
   test::PointScene scene;
   std::vector<test::SceneView> views;
 };
 
-Path MakePath(int num_views, double sigma_px, test::Random& random) {
-  Path path;
+ObservedPath MakePath(int num_views, double sigma_px, test::Random& random) {
+  ObservedPath path;
   path.scene = test::MakeBoxScene(300, 3, 12, random);
   for (int i = 0; i < num_views; ++i) {
     const SE3 pose(SO3::Exp({0, 0.02 * i, 0}), Eigen::Vector3d(0.3 * i, 0, 0));
@@ -64,7 +64,7 @@ int CountTrackElements(const Map& map) {
 
 TEST(WindowAdjustmentTest, WindowFreesTheMostCovisibleKeyframesAndFixesTheRest) {
   test::Random random(1);
-  const Path path = MakePath(6, 0, random);
+  const ObservedPath path = MakePath(6, 0, random);
   const Map map = test::MakeMap(path.scene, path.views);
   BundleAdjusterOptions options;
   options.max_keyframes = 3;
@@ -78,7 +78,7 @@ TEST(WindowAdjustmentTest, WindowFreesTheMostCovisibleKeyframesAndFixesTheRest) 
 
 TEST(WindowAdjustmentTest, KeyframesThatObserveFewOfTheLandmarksAreLeftOut) {
   test::Random random(6);
-  const Path path = MakePath(6, 0, random);
+  const ObservedPath path = MakePath(6, 0, random);
   const Map map = test::MakeMap(path.scene, path.views);
   BundleAdjusterOptions options;
   options.max_keyframes = 3;
@@ -90,7 +90,7 @@ TEST(WindowAdjustmentTest, KeyframesThatObserveFewOfTheLandmarksAreLeftOut) {
 
 TEST(WindowAdjustmentTest, FixedKeyframesRestoreTheExactMap) {
   test::Random random(2);
-  const Path path = MakePath(6, 0, random);
+  const ObservedPath path = MakePath(6, 0, random);
   Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 3, random);
   const int num_before = CountTrackElements(map);
@@ -107,7 +107,7 @@ TEST(WindowAdjustmentTest, FixedKeyframesRestoreTheExactMap) {
 
 TEST(WindowAdjustmentTest, WithoutFixedKeyframesTheFirstPoseAndTheFarthestDistanceAreKept) {
   test::Random random(3);
-  const Path path = MakePath(4, 0.3, random);
+  const ObservedPath path = MakePath(4, 0.3, random);
   Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 1, random);
   const SE3 first = map.WorldFromKeyframe(0);
@@ -119,7 +119,7 @@ TEST(WindowAdjustmentTest, WithoutFixedKeyframesTheFirstPoseAndTheFarthestDistan
 
 TEST(WindowAdjustmentTest, RemovesOutliersAndKeepsAllOtherTracks) {
   test::Random random(4);
-  Path path = MakePath(5, 0.3, random);
+  ObservedPath path = MakePath(5, 0.3, random);
   const int wrong = 7;
   path.views[4].frame.pixels[wrong].x() += 60;
   Map map = test::MakeMap(path.scene, path.views);
@@ -136,7 +136,7 @@ TEST(WindowAdjustmentTest, RemovesOutliersAndKeepsAllOtherTracks) {
 
 TEST(WindowAdjustmentTest, TheMapMayChangeDuringTheAdjustment) {
   test::Random random(7);
-  const Path path = MakePath(5, 0.3, random);
+  const ObservedPath path = MakePath(5, 0.3, random);
   Map map = test::MakeMap(path.scene, path.views);
   Disturb(map, 1, random);
   Map adjusted_at_once = map;
@@ -155,7 +155,7 @@ TEST(WindowAdjustmentTest, TheMapMayChangeDuringTheAdjustment) {
 
 TEST(WindowAdjustmentTest, ResultIsIdenticalWhenRepeated) {
   test::Random random(5);
-  const Path path = MakePath(5, 0.5, random);
+  const ObservedPath path = MakePath(5, 0.5, random);
   Map a = test::MakeMap(path.scene, path.views);
   Disturb(a, 1, random);
   Map b = a;

@@ -4,27 +4,21 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/matchers.h"
+#include "tests/vo/tracking/posed_frame.h"
 
 namespace corvo {
 namespace {
 
-Frame PosedFrame(TimeNs time_ns, const SE3& world_from_camera) {
-  Frame frame;
-  frame.time_ns = time_ns;
-  frame.world_from_camera = world_from_camera;
-  return frame;
-}
-
 TEST(MotionModelTest, PredictsTheSamePoseBeforeAnyMotionIsKnown) {
   const SE3 pose(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
   const MotionModel motion;
-  EXPECT_THAT(motion.Predict(PosedFrame(5, pose), 100), test::IsPoseNear(pose, 1e-12, 1e-12));
+  EXPECT_THAT(motion.Predict(test::PosedFrame(5, pose), 100), test::IsPoseNear(pose, 1e-12, 1e-12));
 }
 
 TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
   const SE3 start(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
   const SE3 step(SO3::Exp({0, 0.02, 0}), {0.1, 0, 0.5});
-  const Frame earlier = PosedFrame(100, start), later = PosedFrame(200, start * step);
+  const Frame earlier = test::PosedFrame(100, start), later = test::PosedFrame(200, start * step);
   MotionModel motion;
   motion.Update(earlier, later);
   EXPECT_THAT(motion.Predict(later, 300), test::IsPoseNear(start * step * step, 1e-9, 1e-9));
@@ -36,7 +30,7 @@ TEST(MotionModelTest, PredictsTheLastMotionInProportionToTime) {
 TEST(MotionModelTest, ACameraMayHaveStoppedAndAClockMayStutter) {
   const SE3 start(SO3::Exp({0.1, 0.2, 0.3}), {1, 2, 3});
   const SE3 step(SO3::Exp({0, 0.02, 0}), {0.1, 0, 0.5});
-  const Frame earlier = PosedFrame(100, start), later = PosedFrame(200, start * step);
+  const Frame earlier = test::PosedFrame(100, start), later = test::PosedFrame(200, start * step);
   MotionModel motion;
   EXPECT_THAT(motion.PredictAlternatives(later, 300), testing::SizeIs(1));
   motion.Update(earlier, later);

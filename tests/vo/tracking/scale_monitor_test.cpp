@@ -8,18 +8,20 @@
 namespace corvo {
 namespace {
 
-constexpr double kFrameTime = 0.1;  // s
-constexpr double kDepth = 10;
+constexpr double kFrameSeconds = 0.1;  // s
+constexpr double kSceneDepth = 10;
 
-/// Feeds frames to a monitor, whose images flow by `flow` units of length at kDepth per second.
+/// Feeds frames to a monitor, whose images flow by `flow` units of length at kSceneDepth per
+/// second.
 class ScaleMonitorTest : public ::testing::Test {
  protected:
   /// Returns the number of uncertain frames among `num_frames` that move alike.
   int Add(int num_frames, double speed, double flow, double inlier_share = 0.9) {
     int num_uncertain = 0;
     for (int i = 0; i < num_frames; ++i) {
-      num_uncertain += monitor_.Add({inlier_share, 0, kFrameTime, unit_ * speed, unit_ * kDepth},
-                                    [&] { return std::optional(flow / kDepth * kFrameTime); });
+      num_uncertain +=
+          monitor_.Add({inlier_share, 0, kFrameSeconds, unit_ * speed, unit_ * kSceneDepth},
+                       [&] { return std::optional(flow / kSceneDepth * kFrameSeconds); });
     }
     return num_uncertain;
   }
@@ -60,7 +62,7 @@ TEST_F(ScaleMonitorTest, OneOutlierAmongTheSpeedsIsCertain) {
 TEST_F(ScaleMonitorTest, AChangeOfSpeedIsUncertainIfTheFlowIsUnknown) {
   Add(20, 5, 5);
   Add(2, 0.5, 0.5);
-  EXPECT_TRUE(monitor_.Add({0.9, 0, kFrameTime, 0.5, kDepth}, [] { return std::nullopt; }));
+  EXPECT_TRUE(monitor_.Add({0.9, 0, kFrameSeconds, 0.5, kSceneDepth}, [] { return std::nullopt; }));
 }
 
 TEST_F(ScaleMonitorTest, FramesWhoseMatchesContradictEachOtherAreUncertain) {
@@ -76,8 +78,8 @@ TEST_F(ScaleMonitorTest, FiveSuchFramesAreEnough) {
 
 TEST_F(ScaleMonitorTest, AFrameThatIsContestedInLargePartIsUncertain) {
   const auto flow = [] { return std::optional(0.05); };
-  EXPECT_FALSE(monitor_.Add({0.9, 0.2, kFrameTime, 5, kDepth}, flow));
-  EXPECT_TRUE(monitor_.Add({0.9, 0.4, kFrameTime, 5, kDepth}, flow));
+  EXPECT_FALSE(monitor_.Add({0.9, 0.2, kFrameSeconds, 5, kSceneDepth}, flow));
+  EXPECT_TRUE(monitor_.Add({0.9, 0.4, kFrameSeconds, 5, kSceneDepth}, flow));
 }
 
 class ParallaxFlowTest : public ::testing::Test {

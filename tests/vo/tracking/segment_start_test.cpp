@@ -6,34 +6,28 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/matchers.h"
+#include "tests/vo/tracking/posed_frame.h"
 
 namespace corvo {
 namespace {
 
-Frame PosedFrame(TimeNs time_ns, const SE3& world_from_camera) {
-  Frame frame;
-  frame.time_ns = time_ns;
-  frame.world_from_camera = world_from_camera;
-  return frame;
-}
-
 /// Returns a model of a motion by 2 along z in 100 ns.
 MotionModel DriveForward() {
   MotionModel motion;
-  motion.Update(PosedFrame(0, SE3()), PosedFrame(100, SE3(SO3(), {0, 0, 2})));
+  motion.Update(test::PosedFrame(0, SE3()), test::PosedFrame(100, SE3(SO3(), {0, 0, 2})));
   return motion;
 }
 
 TEST(SegmentStartTest, FirstPoseIsPredictedByTheMotionModel) {
-  const SE3 pose = PredictFirstPose(PosedFrame(150, SE3()), std::nullopt,
-                                    PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
+  const SE3 pose = PredictFirstPose(test::PosedFrame(150, SE3()), std::nullopt,
+                                    test::PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
   EXPECT_THAT(pose, test::IsPoseNear(SE3(SO3(), {0, 0, 3}), 1e-9, 1e-9));
 }
 
 TEST(SegmentStartTest, FirstFrameOfKnownRotationKeepsThePreviousPosition) {
   const SO3 rotation = SO3::Exp({0, 0.5, 0});
-  const SE3 pose = PredictFirstPose(PosedFrame(150, SE3()), rotation,
-                                    PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
+  const SE3 pose = PredictFirstPose(test::PosedFrame(150, SE3()), rotation,
+                                    test::PosedFrame(100, SE3(SO3(), {0, 0, 2})), DriveForward());
   EXPECT_THAT(pose, test::IsPoseNear(SE3(rotation, {0, 0, 2}), 1e-9, 1e-9));
 }
 

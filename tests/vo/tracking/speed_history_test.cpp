@@ -9,8 +9,8 @@
 namespace corvo {
 namespace {
 
-constexpr TimeNs kStep = 100'000'000;  // 10 Hz
-constexpr TimeNs kSecond = 1'000'000'000;
+constexpr TimeNs kFrameInterval = 100'000'000;  // 10 Hz
+constexpr TimeNs kOneSecondNs = 1'000'000'000;
 constexpr double kNormalFromMedian = 1.4826;
 
 /// Drives along x at the given speeds, one for each frame interval, and adds each motion.
@@ -19,7 +19,7 @@ class SpeedHistoryTest : public testing::Test {
   void Drive(const std::vector<double>& speeds) {
     for (const double speed : speeds) {
       Frame next;
-      next.time_ns = frame_.time_ns + kStep;
+      next.time_ns = frame_.time_ns + kFrameInterval;
       next.world_from_camera =
           SE3(SO3(), frame_.world_from_camera.translation() + Eigen::Vector3d(0.1 * speed, 0, 0));
       history_.Add(frame_, next);
@@ -35,7 +35,7 @@ class SpeedHistoryTest : public testing::Test {
 TEST_F(SpeedHistoryTest, GuessesNothingUntilTheCameraHasMoved) {
   EXPECT_FALSE(history_.Predict(0));
   Drive({0, 0, 0});
-  EXPECT_FALSE(history_.Predict(kSecond));
+  EXPECT_FALSE(history_.Predict(kOneSecondNs));
 }
 
 TEST_F(SpeedHistoryTest, GuessIsTheMedianAndIgnoresOneBadStep) {
@@ -69,7 +69,7 @@ TEST_F(SpeedHistoryTest, UncertaintyIsTheSpreadOfTheLogSpeedsAndGrowsWithTheGap)
   Drive({a, 1, b, a, 1, b, a, 1, b});
   const double spread = kNormalFromMedian * 0.2;
   EXPECT_NEAR(history_.Predict(frame_.time_ns)->log_sigma, spread, 1e-9);
-  const SpeedGuess later = *history_.Predict(frame_.time_ns + 3 * kSecond);
+  const SpeedGuess later = *history_.Predict(frame_.time_ns + 3 * kOneSecondNs);
   EXPECT_NEAR(later.speed, 1, 1e-9);
   EXPECT_NEAR(std::pow(later.log_sigma, 2),
               4 * spread * spread + 3 * std::pow(options_.speed_growth, 2), 1e-9);
@@ -84,7 +84,7 @@ TEST_F(SpeedHistoryTest, SpreadOfAFewSpeedsIsNotTrusted) {
 
 TEST_F(SpeedHistoryTest, SpeedOfAMotionOverSeveralFramesIsItsAverage) {
   Frame later;
-  later.time_ns = 4 * kStep;
+  later.time_ns = 4 * kFrameInterval;
   later.world_from_camera = SE3(SO3(), {0, 0, 2});
   history_.Add(frame_, later);
   EXPECT_NEAR(history_.Predict(later.time_ns)->speed, 5, 1e-9);
