@@ -87,7 +87,7 @@ build_opencv() {
   build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=core,imgproc,features2d,calib3d,imgcodecs \
     -DWITH_EIGEN=ON -DCPU_BASELINE=SSE2 -DCPU_BASELINE_DISABLE=SSE3 -DCV_TRACE=OFF \
     -DBUILD_TESTS=OFF -DBUILD_PERF_TESTS=OFF -DBUILD_JAVA=OFF -DBUILD_opencv_apps=OFF \
-    -DOPENCV_GENERATE_SETUPVARS=OFF
+    -DOPENCV_GENERATE_SETUPVARS=OFF -DENABLE_CCACHE=OFF
   cp -t "$prefix/licenses/opencv" "$prefix"/share/licenses/opencv4/*
 }
 
