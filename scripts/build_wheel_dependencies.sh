@@ -84,10 +84,10 @@ build_opencv() {
   local unwanted=(1394 ADE FFMPEG GSTREAMER GTK IMGCODEC_HDR IMGCODEC_PFM IMGCODEC_SUNRASTER IPP
     ITT JASPER LAPACK OPENCL OPENEXR OPENJPEG PROTOBUF PTHREADS_PF QUIRC TIFF V4L VA VTK WEBP)
   unwanted=("${unwanted[@]/#/-DWITH_}")
-  build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=core,imgproc,features2d,calib3d,imgcodecs \
+  build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=calib3d,videoio \
     -DWITH_EIGEN=ON -DCPU_BASELINE=SSE2 -DCPU_BASELINE_DISABLE=SSE3 -DCV_TRACE=OFF \
     -DBUILD_TESTS=OFF -DBUILD_PERF_TESTS=OFF -DBUILD_JAVA=OFF -DBUILD_opencv_apps=OFF \
-    -DOPENCV_GENERATE_SETUPVARS=OFF -DENABLE_CCACHE=OFF
+    -DOPENCV_GENERATE_SETUPVARS=OFF -DVIDEOIO_ENABLE_PLUGINS=OFF -DENABLE_PRECOMPILED_HEADERS=ON
   cp -t "$prefix/licenses/opencv" "$prefix"/share/licenses/opencv4/*
 }
 
@@ -107,7 +107,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 flags="-O2 -DNDEBUG -fstack-protector-strong -D_FORTIFY_SOURCE=2"
 flags+=" -ffunction-sections -fdata-sections -ffile-prefix-map=$work/="
-common=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib
+common=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR:STRING=lib
   -DCMAKE_PREFIX_PATH="$prefix" -DBUILD_SHARED_LIBS=OFF -DCMAKE_POSITION_INDEPENDENT_CODE=ON
   -DCMAKE_C_VISIBILITY_PRESET=hidden -DCMAKE_CXX_VISIBILITY_PRESET=hidden
   -DCMAKE_VISIBILITY_INLINES_HIDDEN=ON "-DCMAKE_C_FLAGS_RELEASE=$flags"
