@@ -87,11 +87,20 @@ build_opencv() {
   build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=calib3d,videoio \
     -DWITH_EIGEN=ON -DCPU_BASELINE=SSE2 -DCPU_BASELINE_DISABLE=SSE3 -DCV_TRACE=OFF \
     -DBUILD_TESTS=OFF -DBUILD_PERF_TESTS=OFF -DBUILD_JAVA=OFF -DBUILD_opencv_apps=OFF \
-    -DOPENCV_GENERATE_SETUPVARS=OFF -DVIDEOIO_ENABLE_PLUGINS=OFF -DENABLE_PRECOMPILED_HEADERS=ON
+    -DOPENCV_GENERATE_SETUPVARS=OFF -DVIDEOIO_ENABLE_PLUGINS=OFF -DENABLE_CCACHE=OFF \
+    -DENABLE_PRECOMPILED_HEADERS=ON "-DCMAKE_CXX_FLAGS=-isystem /usr/include/eigen3"
   cp -t "$prefix/licenses/opencv" "$prefix"/share/licenses/opencv4/*
 }
 
+# Its solvers by the Schur complement are compiled only for the sizes of corvo's blocks (residuals,
+# points, poses), and for any size: each of the other 19 takes 20 s.
 build_ceres() {
+  (
+    cd ceres-solver-[0-9]*/internal/ceres
+    sed -i '/^SPECIALIZATIONS/,/)]$/c SPECIALIZATIONS = [(2, 3, 6), (2, 3, "Eigen::Dynamic")]' \
+      generate_template_specializations.py
+    /usr/bin/python3 generate_template_specializations.py
+  )
   build ceres-solver -DMINIGLOG=ON -DEIGENSPARSE=ON -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF \
     -DGFLAGS=OFF -DCUDA=OFF -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DBUILD_BENCHMARKS=OFF
 }
