@@ -6,6 +6,7 @@ Needs pyelftools. Prints every fault and exits with 1 if there is any.
 """
 
 import io
+import re
 import sys
 import zipfile
 from pathlib import Path
@@ -69,16 +70,19 @@ def content_faults(archive):
 
 
 def license_faults(archive):
-    licenses = {}
+    licensed = set()
+    notice = ""
     for name in archive.namelist():
-        path = Path(name).parts
-        if path[0].endswith(".dist-info") and path[1] == "licenses":
-            licenses.setdefault(path[2], name)
-    for name in sorted(LIBRARIES ^ (licenses.keys() - {"LICENSE", "NOTICE"})):
-        yield f"the licenses and the libraries in the wheel differ in {name}"
-    notice = archive.read(licenses["NOTICE"]).decode()
-    for name in sorted(name for name in LIBRARIES if f"\n{name} " not in notice):
-        yield f"NOTICE does not name {name}"
+        match = re.fullmatch(r"[^/]+\.dist-info/licenses/([^/]+)(/.+)?", name)
+        if match:
+            licensed.add(match[1])
+        if match and match[1] == "NOTICE":
+            notice = archive.read(name).decode()
+    for name in sorted((LIBRARIES | {"LICENSE", "NOTICE"}) ^ licensed):
+        yield f"the libraries and the licenses in the wheel differ in {name}"
+    for name in sorted(LIBRARIES):
+        if f"\n{name} " not in notice:
+            yield f"NOTICE does not name {name}"
 
 
 def main():
