@@ -6,7 +6,8 @@
 #   test_wheel.sh WHEEL
 set -euo pipefail
 
-test_packages=(pytest==9.2.0 opencv-python-headless==4.14.0.94)
+test_packages=(mypy==2.4.1 opencv-python-headless==5.0.0.93 pandas==3.1.1 pillow==13.0.0 pyarrow==26.0.1
+  pytest==9.2.0)
 # What Python 3.11 itself needs, and libstdc++.
 root_packages=(libc6 libgcc-s1 libstdc++6 zlib1g libexpat1 libpython3.11-minimal
   libpython3.11-stdlib python3.11-minimal)
@@ -37,5 +38,5 @@ make_bare_root
 python_in_root -c 'import corvo; print("imported from", corvo.__file__)'
 
 echo "Tests in a new environment"
-venv/bin/pip install --quiet --disable-pip-version-check "$wheel[frames]" "${test_packages[@]}"
+venv/bin/pip install --quiet --disable-pip-version-check "$wheel" "${test_packages[@]}"
 venv/bin/python -m pytest -q "$tests"
