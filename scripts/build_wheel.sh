@@ -42,5 +42,7 @@ CMAKE_PREFIX_PATH=$dependencies python -m build --wheel --no-isolation --outdir 
   -C cmake.define.CMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" \
   -C cmake.define.CMAKE_MODULE_LINKER_FLAGS=-Wl,--gc-sections \
   -C cmake.define.CORVO_BUNDLED_LICENSES="$work/licenses"
-auditwheel repair --wheel-dir "$output" "$work"/corvo-*.whl
-python scripts/check_wheel.py "$output"/corvo-*.whl
+auditwheel repair --wheel-dir "$work/tagged" "$work"/corvo-*.whl
+python scripts/check_wheel.py "$work"/tagged/corvo-*.whl
+mkdir -p "$output"
+mv "$work"/tagged/corvo-*.whl "$output"

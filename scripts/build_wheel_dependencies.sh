@@ -78,8 +78,8 @@ build_zlib() (
   keep_license zlib
 )
 
-# The instruction sets, the flags and Eigen, with which it estimates essential matrices, are those of
-# Debian's OpenCV: results have the same bytes. It starts no threads.
+# What corvo's results depend on is as in Debian's OpenCV: the instruction sets, the optimization, and
+# Eigen, with which essential matrices are estimated. It starts no threads.
 build_opencv() {
   local unwanted=(1394 ADE FFMPEG GSTREAMER GTK IMGCODEC_HDR IMGCODEC_PFM IMGCODEC_SUNRASTER IPP
     ITT JASPER LAPACK OPENCL OPENEXR OPENJPEG PROTOBUF PTHREADS_PF QUIRC TIFF V4L VA VTK WEBP)
@@ -109,7 +109,7 @@ if [ $# -gt 0 ]; then
   usage >&2
   exit 1
 fi
-root=${CORVO_WHEEL_DEPENDENCIES:-${XDG_CACHE_HOME:-$HOME/.cache}/corvo}
+root=$(realpath -m "${CORVO_WHEEL_DEPENDENCIES:-${XDG_CACHE_HOME:-$HOME/.cache}/corvo}")
 key=$({ cat "${BASH_SOURCE[0]}" && c++ --version; } | sha256sum | cut -c 1-16)
 prefix=$root/wheel-dependencies-$key
 work=$(mktemp -d)
