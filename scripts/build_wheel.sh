@@ -40,7 +40,6 @@ collect_licenses
 CMAKE_PREFIX_PATH=$dependencies python -m build --wheel --no-isolation --outdir "$work" \
   -C cmake.define.CMAKE_CXX_VISIBILITY_PRESET=hidden \
   -C cmake.define.CMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" \
-  -C cmake.define.CMAKE_MODULE_LINKER_FLAGS=-Wl,--gc-sections \
   -C cmake.define.CORVO_BUNDLED_LICENSES="$work/licenses"
 auditwheel repair --wheel-dir "$work/tagged" "$work"/corvo-*.whl
 python scripts/check_wheel.py "$work"/tagged/corvo-*.whl
