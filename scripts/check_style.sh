@@ -13,15 +13,15 @@ fail() {
   failed=1
 }
 
-find orb vo apps bench tests examples -name '*.h' -o -name '*.cpp' | sort |
+find orb vo apps python bench tests examples -name '*.h' -o -name '*.cpp' | sort |
   xargs clang-format-14 --dry-run -Werror || failed=1
 
-folders=(orb vo apps bench tests examples cmake scripts)
+folders=(orb vo apps python bench tests examples cmake scripts)
 while read -r file; do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: MIT$' ||
     fail "$file: the first two lines lack \"SPDX-License-Identifier: MIT\""
-done < <(find CMakeLists.txt .ci/run "${folders[@]}" -type f -regex \
-  '.*\(\.\(h\|cpp\|cmake\|sh\)\|CMakeLists\.txt\|\.ci/run\)' | sort)
+done < <(find CMakeLists.txt pyproject.toml .ci/run "${folders[@]}" -type f -regex \
+  '.*\(\.\(h\|cpp\|cmake\|sh\|py\|toml\)\|CMakeLists\.txt\|\.ci/run\)' | sort)
 
 # A file may include headers of its own layer and of those below.
 layer_of() {
@@ -36,12 +36,13 @@ layer_of() {
     vo/offline/*) echo 7 ;;
     vo/io/* | vo/evaluation/*) echo 7 ;;
     apps/*) echo 8 ;;
+    python/*) echo 9 ;;
   esac
 }
 while IFS=: read -r file include; do
   header=$(sed -E 's/.*"(.*)".*/\1/' <<<"$include")
   [ "$(layer_of "$header")" -le "$(layer_of "$file")" ] || fail "$file includes $header, which is above it"
-done < <(grep -rE --include='*.h' --include='*.cpp' '^#include "(orb|vo|apps)/' orb vo apps)
+done < <(grep -rE --include='*.h' --include='*.cpp' '^#include "(orb|vo|apps|python)/' orb vo apps python)
 
 codespell || failed=1
 exit "$failed"

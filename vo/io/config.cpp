@@ -330,16 +330,10 @@ std::string SigmaText(const std::vector<FreeParameter>& sigma) {
   return text;
 }
 
-}  // namespace
-
-CameraPrior CameraFile::Prior(const CalibrationOptions& options) const {
-  if (!sigma) return MakePrior(camera.parameters(), options);
-  return {camera.parameters(), *sigma};
-}
-
-OdometryOptions ReadOptions(const fs::path& file) {
+/// Returns the options of a configuration file, which error messages name.
+OdometryOptions OptionsOf(const YAML::Node& document, const fs::path& file) {
   OdometryOptions options;
-  const Section root(file, "", ReadYaml(file));
+  const Section root(file, "", document);
   root.CheckKeys(SectionNames(options));
   OdometryOptions::VisitSections(options, [&root](const char* name, auto& fields) {
     const YAML::Node node = root.Find(name);
@@ -354,6 +348,19 @@ OdometryOptions ReadOptions(const fs::path& file) {
     throw Error(file.string() + ": " + error.what());
   }
   return options;
+}
+
+}  // namespace
+
+CameraPrior CameraFile::Prior(const CalibrationOptions& options) const {
+  if (!sigma) return MakePrior(camera.parameters(), options);
+  return {camera.parameters(), *sigma};
+}
+
+OdometryOptions ReadOptions(const fs::path& file) { return OptionsOf(ReadYaml(file), file); }
+
+OdometryOptions ParseOptions(const std::string& text, const fs::path& file) {
+  return OptionsOf(ParseYaml(text, file), file);
 }
 
 std::string WriteOptions(const OdometryOptions& options) {

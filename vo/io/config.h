@@ -19,6 +19,9 @@ namespace corvo {
 /// Reads options from a file. Keys that the file leaves out keep their defaults.
 OdometryOptions ReadOptions(const std::filesystem::path& file);
 
+/// Like ReadOptions(), for the content of a file. `file` is for messages.
+OdometryOptions ParseOptions(const std::string& text, const std::filesystem::path& file);
+
 /// Returns the text of a file that ReadOptions() reads back unchanged: every key, each with its
 /// meaning and range as a comment.
 std::string WriteOptions(const OdometryOptions& options);
