@@ -29,7 +29,7 @@ def evaluate(
         max_dt_s: Largest time between poses that are compared, s; half a frame if left out.
 
     Returns:
-        The measures by the names of `corvo eval --json`: ate, rpe, drift and others.
+        The measures by the names of `corvo eval --json`: ate, rpe_frames, scale_drift and others.
 
     Raises:
         Error: A file cannot be read, or the trajectories cannot be compared.
