@@ -4,6 +4,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "orb/error.h"
+
 namespace corvo {
 namespace {
 
@@ -86,6 +88,11 @@ class AllCodecs : public Codecs {
     } catch (const cv::Exception&) {
       return nullptr;
     }
+  }
+
+  std::unique_ptr<BagInput> OpenBag(const std::string& bag,
+                                    const std::string& /*topic*/) const override {
+    throw Error(bag + ": is a ROS bag, which the Python package reads: pip install 'corvo[bags]'");
   }
 };
 
