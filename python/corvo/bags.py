@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Images in ROS bags (ROS 1, ROS 2 in SQLite, MCAP), by the package rosbags: pip install corvo[bags].
+"""Images in ROS bags (ROS 1, ROS 2 in SQLite or MCAP), by the package rosbags of corvo[bags].
 
 `corvo run film.mcap` reads bags by this module; `Bag` gives the images to one's own loop.
 """
@@ -131,6 +131,11 @@ class Bag:
                 yield self._reader.deserialize(data, connection.msgtype), recorded_ns
 
 
+def missing_rosbags(path: Path) -> Error:
+    """Returns the error of a bag that is to be read or written without the package rosbags."""
+    return Error(f"{path}: ROS bags need the package rosbags: pip install corvo[bags]")
+
+
 @contextmanager
 def _errors_of(path: Path) -> Iterator[None]:
     """Turns whatever rosbags raises for a damaged bag into an Error that names the bag."""
@@ -145,7 +150,7 @@ def _open(path: Path) -> AnyReader:
         from rosbags.highlevel import AnyReader
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
-        raise Error(f"{path}: ROS bags need the package rosbags: pip install corvo[bags]") from None
+        raise missing_rosbags(path) from None
     with _errors_of(path):
         reader = AnyReader([path], default_typestore=get_typestore(Stores.LATEST))
         reader.open()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The poses of a result as a ROS bag, by the package rosbags: pip install corvo[bags]."""
+"""The poses of a result as a ROS bag, by the package rosbags of corvo[bags]."""
 
 from __future__ import annotations
 
@@ -8,23 +8,28 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from corvo._corvo import Error
+from corvo.bags import missing_rosbags
 from corvo.result_poses import ResultPose, read_poses
+from corvo.runs import Result
 
 _TYPE = "geometry_msgs/msg/PoseStamped"
 
 
-def write_poses(result: str | Path, bag: str | Path, topic: str = "/corvo/pose") -> None:
+def write_poses(
+    result: Result | str | Path, bag: str | Path, topic: str = "/corvo/pose"
+) -> None:
     """Writes the posed frames of a result into a bag, a geometry_msgs/PoseStamped for each.
 
     A pose is that of the camera (x right, y down, z forward) in the frame corvo_segment_N, N the
     segment of the frame; segments do not share a scale. The stamps are those of the images.
 
     Args:
-        result: The folder of a run.
+        result: The result of a run, or its folder.
         bag: The file to write, .bag for ROS 1 or .mcap for ROS 2, or any other name for a folder
             of ROS 2 with SQLite. It must not exist.
         topic: The topic of the poses.
@@ -33,7 +38,9 @@ def write_poses(result: str | Path, bag: str | Path, topic: str = "/corvo/pose")
         Error: The result cannot be read, the bag exists or cannot be written.
     """
     target = Path(bag)
-    poses = read_poses(result)
+    poses = read_poses(result.folder if isinstance(result, Result) else result)
+    if find_spec("rosbags") is None:
+        raise missing_rosbags(target)
     if target.exists():
         raise Error(f"{target}: exists already")
     try:
@@ -46,10 +53,8 @@ def write_poses(result: str | Path, bag: str | Path, topic: str = "/corvo/pose")
 
 
 def _write(poses: list[ResultPose], bag: Path, topic: str) -> None:
-    try:
-        from rosbags.typesys import Stores, get_typestore
-    except ImportError:
-        raise Error(f"{bag}: ROS bags need the package rosbags: pip install corvo[bags]") from None
+    from rosbags.typesys import Stores, get_typestore
+
     is_ros1 = bag.suffix == ".bag"
     types = get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.LATEST)
     serialize = types.serialize_ros1 if is_ros1 else types.serialize_cdr

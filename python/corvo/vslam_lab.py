@@ -24,7 +24,9 @@ from corvo.result_poses import ResultPose, largest_segment, read_poses
 _HEADER = ("ts (ns)", "tx (m)", "ty (m)", "tz (m)", "qx", "qy", "qz", "qw")
 
 
-def track_sequence(sequence: Path, rgb_csv: Path, calibration: Path, settings: str) -> list[ResultPose]:
+def track_sequence(
+    sequence: Path, rgb_csv: Path, calibration: Path, settings: str
+) -> list[ResultPose]:
     """Returns the poses of the largest segment of a sequence.
 
     Args:
@@ -36,7 +38,7 @@ def track_sequence(sequence: Path, rgb_csv: Path, calibration: Path, settings: s
     Raises:
         Error: A file is missing or malformed.
     """
-    camera, images = _read_images(rgb_csv)
+    camera, images = _read_table(rgb_csv)
     with tempfile.TemporaryDirectory(prefix="corvo_vslam_lab_") as folder:
         # A TUM RGB-D sequence: a list of names in its folder, with times in seconds.
         listed, result = Path(folder) / "images", Path(folder) / "result"
@@ -58,7 +60,7 @@ def write_trajectory(poses: Sequence[ResultPose], file: Path) -> None:
             writer.writerow((pose.time_ns, *pose.position, *pose.orientation))
 
 
-def _read_images(table: Path) -> tuple[str, list[tuple[int, str]]]:
+def _read_table(table: Path) -> tuple[str, list[tuple[int, str]]]:
     """Returns the name of the first camera in a table, and its images with their times in ns."""
     try:
         with table.open(newline="") as file:

@@ -4,33 +4,27 @@
 import csv
 import subprocess
 import sys
+from collections.abc import Mapping
+from pathlib import Path
 
 import pytest
+from conftest import NUM_FRAMES, Sequence
 
-import corvo
 from corvo import vslam_lab
-
-NUM_FRAMES = 40
+from corvo.result_poses import ResultPose, largest_segment
 
 
 @pytest.fixture(scope="module")
-def sequence(tmp_path_factory):
-    """A folder with images in rgb_0, rgb.csv and calibration.yaml, and a result of the command."""
-    folder = tmp_path_factory.mktemp("lab") / "room"
-    rendered = folder.parent / "rendered"
-    synth = ["synth", "room", "-o", rendered, "--frames", NUM_FRAMES]
-    run = ["run", rendered, "--camera", rendered / "camera.yaml", "-o", folder.parent / "result"]
-    for arguments in (synth, run):
-        command = [sys.executable, "-m", "corvo", *map(str, arguments)]
-        subprocess.run(command, check=True, capture_output=True)
-    folder.mkdir()
-    (rendered / "rgb").rename(folder / "rgb_0")
-    rows = [("ts_rgb_0 (ns)", "path_rgb_0")]
-    for image in sorted((folder / "rgb_0").glob("*.png")):
-        rows.append((image.stem.replace(".", "").lstrip("0") or "0", f"rgb_0/{image.name}"))
+def laboratory(room: Sequence, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with images in rgb_0, rgb.csv and calibration.yaml."""
+    folder = tmp_path_factory.mktemp("laboratory")
+    (folder / "rgb_0").symlink_to(room.folder / "rgb")
+    files = sorted(file.name for file in (folder / "rgb_0").glob("*.png"))
     with (folder / "rgb.csv").open("w", newline="") as file:
-        csv.writer(file).writerows(rows)
-    camera = corvo.Camera.load(rendered / "camera.yaml").parameters
+        writer = csv.writer(file)
+        writer.writerow(("ts_rgb_0 (ns)", "path_rgb_0"))
+        writer.writerows(zip(room.timestamps_ns, (f"rgb_0/{name}" for name in files)))
+    camera = room.camera.parameters
     (folder / "calibration.yaml").write_text(
         "%YAML:1.0\n"
         "cameras:\n"
@@ -39,37 +33,39 @@ def sequence(tmp_path_factory):
         "  cam_model: pinhole\n"
         f"  focal_length: [{camera['fx']}, {camera['fy']}]\n"
         f"  principal_point: [{camera['cx']}, {camera['cy']}]\n"
-        f"  image_dimension: [{camera['width']:.0f}, {camera['height']:.0f}]\n"
+        f"  image_dimension: [{room.camera.width}, {room.camera.height}]\n"
         "  fps: 30\n"
     )
     return folder
 
 
-def arguments_for(sequence, results, experiment):
+def arguments(laboratory: Path, results: Path, experiment: int) -> dict[str, object]:
     return {
-        "sequence_path": sequence,
-        "calibration_yaml": sequence / "calibration.yaml",
-        "rgb_csv": sequence / "rgb.csv",
+        "sequence_path": laboratory,
+        "calibration_yaml": laboratory / "calibration.yaml",
+        "rgb_csv": laboratory / "rgb.csv",
         "exp_folder": results,
         "exp_id": experiment,
     }
 
 
-def options(arguments):
-    return [text for name, value in arguments.items() for text in (f"--{name}", str(value))]
+def options(given: Mapping[str, object]) -> list[str]:
+    return [text for name, value in given.items() for text in (f"--{name}", str(value))]
 
 
-def read(file):
+def read(file: Path) -> list[list[str]]:
     with file.open(newline="") as opened:
         return list(csv.reader(opened))
 
 
-def test_the_trajectory_is_that_of_the_command(sequence, tmp_path):
-    given = options(arguments_for(sequence, tmp_path / "new", 7))
+def test_the_trajectory_is_that_of_the_command(
+    laboratory: Path, command_result: Path, tmp_path: Path
+) -> None:
+    given = options(arguments(laboratory, tmp_path / "new", 7))
     assert vslam_lab.main([*given, "--verbose", "0", "--mode", "mono", "--upsample", "0"]) == 0
     header, *rows = read(tmp_path / "new" / "00007_KeyFrameTrajectory.csv")
     assert header == ["ts (ns)", "tx (m)", "ty (m)", "tz (m)", "qx", "qy", "qz", "qw"]
-    lines = (sequence.parent / "result" / "trajectory.tum").read_text().splitlines()
+    lines = (command_result / "trajectory.tum").read_text().splitlines()
     expected = [line.split() for line in lines if not line.startswith("#")]
     assert len(rows) == len(expected) > NUM_FRAMES // 2
     for (time, *pose), (seconds, *numbers) in zip(rows, expected):
@@ -77,21 +73,19 @@ def test_the_trajectory_is_that_of_the_command(sequence, tmp_path):
         assert [*map(float, pose)] == [*map(float, numbers)]
 
 
-def test_arguments_may_be_written_with_colons(sequence, tmp_path):
+def test_arguments_may_be_written_with_colons(laboratory: Path, tmp_path: Path) -> None:
     settings = tmp_path / "settings.yaml"
     settings.write_text("extractor:\n  num_features: 700\n")
-    given = arguments_for(sequence, tmp_path, 0) | {"settings_yaml": settings}
+    given = arguments(laboratory, tmp_path, 0) | {"settings_yaml": settings}
     module = [sys.executable, "-m", "corvo.vslam_lab"]
     subprocess.run([*module, *(f"{name}:{value}" for name, value in given.items())], check=True)
-    assert vslam_lab.main(options(arguments_for(sequence, tmp_path, 1))) == 0
+    assert vslam_lab.main(options(arguments(laboratory, tmp_path, 1))) == 0
     fewer = read(tmp_path / "00000_KeyFrameTrajectory.csv")
     assert len(fewer) > NUM_FRAMES // 2
     assert fewer != read(tmp_path / "00001_KeyFrameTrajectory.csv"), "the settings are used"
 
 
-def test_only_the_largest_segment_is_written():
-    from corvo.result_poses import ResultPose, largest_segment
-
+def test_only_the_largest_segment_is_written() -> None:
     poses = [ResultPose(i, segment, (0, 0, 0), (0, 0, 0, 1)) for i, segment in enumerate([0, 1, 1])]
     assert largest_segment(poses) == poses[1:]
     assert largest_segment([]) == []
@@ -107,15 +101,21 @@ def test_only_the_largest_segment_is_written():
         ("ts_rgb_1 (ns),path_rgb_1\n1,a.png\n", "holds no camera rgb_1; it holds rgb_0"),
     ],
 )
-def test_malformed_tables_are_errors(sequence, tmp_path, capfd, table, error):
+def test_malformed_tables_are_errors(
+    laboratory: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    table: str | None,
+    error: str,
+) -> None:
     if table:
         (tmp_path / "rgb.csv").write_text(table)
-    given = arguments_for(sequence, tmp_path / "new", 0) | {"rgb_csv": tmp_path / "rgb.csv"}
+    given = arguments(laboratory, tmp_path / "new", 0) | {"rgb_csv": tmp_path / "rgb.csv"}
     assert vslam_lab.main(options(given)) == 1
-    assert error in capfd.readouterr().err
+    assert error in capsys.readouterr().err
     assert not (tmp_path / "new").exists()
 
 
-def test_other_modes_are_refused(sequence, tmp_path):
+def test_other_modes_are_refused(laboratory: Path, tmp_path: Path) -> None:
     with pytest.raises(SystemExit):
-        vslam_lab.main([*options(arguments_for(sequence, tmp_path, 0)), "--mode", "rgbd"])
+        vslam_lab.main([*options(arguments(laboratory, tmp_path, 0)), "--mode", "rgbd"])
