@@ -176,7 +176,7 @@ def _calibration_text(info: Any, is_rectified: bool, where: str) -> str:
     """Returns a CameraInfo message in the form of ROS's camera_info files."""
     # ROS 1 names its arrays in upper case.
     matrix, distortion, projection = (
-        getattr(info, name, getattr(info, name.lower(), None)) for name in "KDP"
+        getattr(info, name if hasattr(info, name) else name.lower()) for name in "KDP"
     )
     roi = info.roi
     if max(info.binning_x, info.binning_y) > 1 or roi.x_offset or roi.y_offset:

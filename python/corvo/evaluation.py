@@ -41,4 +41,7 @@ def evaluate(
             file = Path(folder) / "trajectory.tum"
             estimate.write_tum(file)
             estimate = file
-        return json.loads(_corvo._evaluate(estimate, truth, align, max_dt_s))
+        measures: dict[str, Any] = json.loads(
+            _corvo._evaluate(estimate, truth, align, max_dt_s)
+        )
+        return measures

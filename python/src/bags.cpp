@@ -2,6 +2,7 @@
 #include "python/src/bags.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include <nanobind/nanobind.h>
@@ -86,20 +87,25 @@ class PythonBag : public BagInput {
   nb::object bag_, messages_, message_;
 };
 
+/// Returns an array of shape (height, width) that shares the pixels of an image.
+template <typename Pixel>
+nb::object ToArray(const cv::Mat& image) {
+  auto owned = std::make_unique<cv::Mat>(image);
+  auto* const pixels = owned->ptr<Pixel>();
+  const nb::capsule owner(owned.release(),
+                          [](void* kept) noexcept { delete static_cast<cv::Mat*>(kept); });
+  const auto height = static_cast<std::size_t>(image.rows);
+  return NumpyArray<Pixel, -1, -1>(pixels, {height, static_cast<std::size_t>(image.cols)}, owner)
+      .cast();
+}
+
 nb::object MessageToGray(nb::handle message, const std::string& name) {
   const BagImage image = ToBagImage(message);
   const cv::Mat gray = [&] {
     const nb::gil_scoped_release release;
     return RosImageToGray(image, name);
   }();
-  const auto height = static_cast<std::size_t>(gray.rows);
-  const auto width = static_cast<std::size_t>(gray.cols);
-  if (gray.depth() == CV_8U) {
-    std::vector<std::uint8_t> pixels(gray.begin<std::uint8_t>(), gray.end<std::uint8_t>());
-    return MoveToArray<NumpyArray<std::uint8_t, -1, -1>>(std::move(pixels), {height, width}).cast();
-  }
-  std::vector<std::uint16_t> pixels(gray.begin<std::uint16_t>(), gray.end<std::uint16_t>());
-  return MoveToArray<NumpyArray<std::uint16_t, -1, -1>>(std::move(pixels), {height, width}).cast();
+  return gray.depth() == CV_8U ? ToArray<std::uint8_t>(gray) : ToArray<std::uint16_t>(gray);
 }
 
 }  // namespace
