@@ -49,8 +49,33 @@ struct VideoFormat {
   cv::Size size;
 };
 
-/// What OpenCV reads and writes by way of some 200 shared libraries. They are loaded when it is
-/// first needed, so that the command starts at once.
+/// An image in a message of a ROS bag: its pixels, or an image file if `encoding` is empty.
+struct BagImage {
+  std::int64_t time_ns = 0;
+  std::string data;
+  std::string encoding;                ///< As in sensor_msgs/Image; the members below belong to it.
+  std::int64_t width = 0, height = 0;  ///< px
+  std::int64_t step = 0;               ///< Bytes from one row to the next.
+  bool is_big_endian = false;
+};
+
+/// One topic of images of a ROS bag, which is read message by message.
+class BagInput {
+ public:
+  virtual ~BagInput() = default;
+  /// Returns how many messages the topic has.
+  virtual int num_images() const = 0;
+  /// Returns the calibration of the images in the form of ROS camera_info files, or an empty text.
+  virtual std::string calibration() const = 0;
+  /// Goes on to the next message without interpreting it. Returns false at the end. Throws
+  /// corvo::Error if the bag is damaged.
+  virtual bool Grab() = 0;
+  /// Returns the grabbed message. Throws corvo::Error if it is damaged.
+  virtual BagImage Retrieve() const = 0;
+};
+
+/// What libraries outside corvo read and write. OpenCV does so by way of some 200 shared ones,
+/// which are loaded when they are first needed, so that the command starts at once.
 class Codecs {
  public:
   virtual ~Codecs() = default;
@@ -70,6 +95,10 @@ class Codecs {
   /// Begins a video. Returns null on errors.
   virtual std::unique_ptr<VideoOutput> CreateVideo(const std::string& file,
                                                    const VideoFormat& format) const = 0;
+  /// Opens a topic of images of a ROS bag, the only one if `topic` is empty. Throws corvo::Error if
+  /// bags cannot be read by this program, and with the topics if none is meant by `topic`.
+  virtual std::unique_ptr<BagInput> OpenBag(const std::string& bag,
+                                            const std::string& topic) const = 0;
 };
 
 /// Returns the codecs, which the program that links corvo_apps defines: corvo_codecs, what the

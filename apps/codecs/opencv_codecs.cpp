@@ -5,6 +5,7 @@
 
 #include "apps/codecs/image_codecs.h"
 #include "apps/codecs/orientation.h"
+#include "orb/error.h"
 
 namespace corvo {
 namespace {
@@ -111,6 +112,11 @@ class AllCodecs : public ImageCodecs {
     } catch (const cv::Exception&) {
       return nullptr;
     }
+  }
+
+  std::unique_ptr<BagInput> OpenBag(const std::string& bag,
+                                    const std::string& /*topic*/) const override {
+    throw Error(bag + ": is a ROS bag, which the Python package reads: pip install 'corvo[bags]'");
   }
 };
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands/commands.h"
+#include "apps/dataset/bag_reader.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_source.h"
 #include "orb/error.h"
@@ -38,9 +39,10 @@ bool Has(const std::vector<std::string>& arguments, std::initializer_list<std::s
 
 /// Returns whether the dataset has a calibration. Errors in it are reported when it is read.
 bool HasCalibration(const std::string& input) {
-  if (!fs::is_directory(input)) return false;
+  const bool is_bag = IsBag(input);
+  if (!is_bag && !fs::is_directory(input)) return false;
   try {
-    return ListImages(input).camera.has_value();
+    return (is_bag ? OpenBag(input, {}).camera : ListImages(input).camera).has_value();
   } catch (const Error&) {
     return true;
   }

@@ -1,43 +1,32 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "apps/dataset/image_reader.h"
-#include "orb/error.h"
+#include "apps/dataset/sequence_levels.h"
 
 namespace corvo {
 namespace {
 
-/// Returns the map of the gray levels of a sequence: of eight images all over it, so that it is the
-/// same for every selection.
-GrayLevels FindGrayLevels(const std::vector<TimedFile>& files) {
-  constexpr std::size_t kMaxImages = 8;
-  GrayHistogram histogram;
-  const std::size_t step = (files.size() + kMaxImages - 1) / kMaxImages;
-  for (std::size_t i = 0; i < files.size(); i += step) {
-    try {
-      const cv::Mat image = ReadStoredGray(files[i].file);
-      if (image.depth() == CV_16U) histogram.Add(image);
-    } catch (const Error&) {  // It is named when the sequence gets there.
-    }
-  }
-  const GrayLevels levels = histogram.Levels();
-  spdlog::info("{}: 16-bit images; used are {} (--bits changes that)",
-               files.front().file.parent_path().string(), levels.text());
-  return levels;
+StoredImages ImagesIn(const std::vector<TimedFile>& files) {
+  return {files.empty() ? "" : files.front().file.parent_path().string(),
+          static_cast<int>(files.size()),
+          [&files](int i) { return ReadStoredGray(files[i].file); }};
 }
 
 class FileReader : public ImageReader {
  public:
-  FileReader(std::vector<TimedFile> files, std::optional<int> bits) : files_(std::move(files)) {
-    if (bits) stated_ = GrayLevels(*bits);
-  }
+  FileReader(std::vector<TimedFile> files, std::optional<int> bits)
+      : files_(std::move(files)), levels_(ImagesIn(files_), bits) {}
 
   std::optional<TimedImage> Read() override {
     if (next_ == files_.size()) return std::nullopt;
     const TimedFile& entry = files_[next_];
     const int index = static_cast<int>(next_++);
-    return TimedImage{ReadByteGray(entry.file), {}, entry.time_ns, index, entry.file.string()};
+    return TimedImage{
+        levels_.ToByte(ReadStoredGray(entry.file)), {}, entry.time_ns, index, entry.file.string()};
   }
 
   bool Skip() override {
@@ -46,19 +35,11 @@ class FileReader : public ImageReader {
     return true;
   }
 
-  std::optional<GrayLevels> gray_levels() const override { return levels_; }
+  std::optional<GrayLevels> gray_levels() const override { return levels_.levels(); }
 
  private:
-  cv::Mat ReadByteGray(const std::filesystem::path& file) {
-    const cv::Mat image = ReadStoredGray(file);
-    if (image.depth() != CV_16U) return image;
-    if (!levels_) levels_ = stated_ ? *stated_ : FindGrayLevels(files_);
-    return levels_->ToByte(image);
-  }
-
-  std::vector<TimedFile> files_;
-  std::optional<GrayLevels> stated_;  ///< By --bits.
-  std::optional<GrayLevels> levels_;  ///< Set with the first 16-bit image.
+  const std::vector<TimedFile> files_;
+  SequenceLevels levels_;
   std::size_t next_ = 0;
 };
 

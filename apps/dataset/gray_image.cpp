@@ -37,24 +37,23 @@ bool IsTruncatedPng(const std::string& bytes) {
 }
 
 /// Throws corvo::Error if the header says that the image is too large to be decoded.
-void CheckHeader(const ImageHeader& header, const fs::path& file) {
+void CheckHeader(const ImageHeader& header, const std::string& name) {
   if (header.num_pixels() <= kMaxImagePixels) return;
-  throw Error(fmt::format("{}: the image is {} x {} px, {} in total; allowed is 1 to {}",
-                          file.string(), header.width, header.height, header.num_pixels(),
-                          kMaxImagePixels));
+  throw Error(fmt::format("{}: the image is {} x {} px, {} in total; allowed is 1 to {}", name,
+                          header.width, header.height, header.num_pixels(), kMaxImagePixels));
 }
 
-/// Logs a warning about a file unless one of the same kind was logged before.
-void WarnOnce(const std::string& kind, const fs::path& file, const std::string& message) {
+/// Logs a warning about an image unless one of the same kind was logged before.
+void WarnOnce(const std::string& kind, const std::string& name, const std::string& message) {
   static std::mutex mutex;
   static std::set<std::string> kinds;
   const std::lock_guard lock(mutex);
-  if (kinds.insert(kind).second) spdlog::warn("{}: {}", file.string(), message);
+  if (kinds.insert(kind).second) spdlog::warn("{}: {}", name, message);
 }
 
-void WarnOfOrientation(const ImageHeader& header, const fs::path& file) {
+void WarnOfOrientation(const ImageHeader& header, const std::string& name) {
   if (header.orientation == 1) return;
-  WarnOnce("orientation", file,
+  WarnOnce("orientation", name,
            fmt::format("has the EXIF orientation {}, which is ignored: this and all other images "
                        "are used as stored",
                        header.orientation));
@@ -82,19 +81,18 @@ cv::Mat Decode(const std::string& bytes, int flags, std::string& complaint) {
   return image;
 }
 
-/// Reads an image with the flags of cv::imread(); the orientation of EXIF is ignored.
-cv::Mat ReadImage(const fs::path& file, int flags) {
-  const std::string bytes = ReadFileBytes(file, kMaxImageBytes);
+/// Decodes an image file with the flags of cv::imread(); the orientation of EXIF is ignored.
+cv::Mat DecodeImage(const std::string& bytes, int flags, const std::string& name) {
   const ImageHeader header = ParseImageHeader(bytes).value_or(ImageHeader());
-  CheckHeader(header, file);
+  CheckHeader(header, name);
   std::string complaint;
   const cv::Mat image = Decode(bytes, flags, complaint);
   if (image.empty()) {
-    throw Error(fmt::format("{}: not a readable image{}", file.string(),
+    throw Error(fmt::format("{}: not a readable image{}", name,
                             complaint.empty() ? "" : " (" + complaint + ")"));
   }
-  WarnOfOrientation(header, file);
-  if (!complaint.empty()) WarnOnce(complaint, file, "the decoder says: " + complaint);
+  WarnOfOrientation(header, name);
+  if (!complaint.empty()) WarnOnce(complaint, name, "the decoder says: " + complaint);
   return image;
 }
 
@@ -125,8 +123,12 @@ cv::Mat ToGray(const cv::Mat& image, const std::string& name) {
   return GrayLevels().ToByte(WithoutColor(image, name));
 }
 
+cv::Mat DecodeStoredGray(const std::string& bytes, const std::string& name) {
+  return WithoutColor(DecodeImage(bytes, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH, name), name);
+}
+
 cv::Mat ReadStoredGray(const fs::path& file) {
-  return WithoutColor(ReadImage(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH), file.string());
+  return DecodeStoredGray(ReadFileBytes(file, kMaxImageBytes), file.string());
 }
 
 cv::Mat ReadGrayImage(const fs::path& file, const GrayLevels& levels) {
@@ -134,7 +136,8 @@ cv::Mat ReadGrayImage(const fs::path& file, const GrayLevels& levels) {
 }
 
 cv::Mat ReadStoredColor(const fs::path& file) {
-  const cv::Mat image = ReadImage(file, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+  const cv::Mat image = DecodeImage(ReadFileBytes(file, kMaxImageBytes),
+                                    cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH, file.string());
   CheckType(image, file.string());
   return image;
 }

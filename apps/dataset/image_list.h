@@ -19,8 +19,8 @@ struct TimedFile {
 /// The images of a sequence, in the order in which they were taken, and their calibration.
 struct ImageList {
   std::string layout;  ///< "folder", "glob", "kitti", "kitti-raw", "euroc", "tum", "tum-mono",
-                       ///< "tartanair", "video", "camera".
-  std::vector<TimedFile> images;           ///< In ascending time. Empty for a video or camera.
+                       ///< "tartanair", "video", "bag", "camera".
+  std::vector<TimedFile> images;           ///< In ascending time. Only of image files.
   std::optional<CameraParameters> camera;  ///< The dataset's calibration, if any; valid.
 };
 
@@ -31,6 +31,8 @@ struct InputOptions {
   std::filesystem::path times;          ///< A file of times that replace all others; see
                                         ///< ReadImageTimes().
   std::optional<int> bits;              ///< Used bits of 16-bit images; found if not given.
+  std::string topic;                    ///< The images of a ROS bag; empty for its only topic of
+                                        ///< images.
   bool reads_camera = true;             ///< Whether the dataset's calibration is read, which may be
                                         ///< missing or malformed if another camera replaces it.
 };

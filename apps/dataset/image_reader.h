@@ -27,7 +27,7 @@ struct TimedImage {
   cv::Mat color = {};              ///< The decoded image, 8-bit BGR, if it came in color for free.
 };
 
-/// The frames of a video file, counted while it is read.
+/// The frames of a video file or bag, counted while it is read.
 struct VideoFrames {
   int num_promised = 0;  ///< According to the container, which may estimate; 0 if it does not say.
   int num_read = 0;
@@ -47,7 +47,7 @@ class ImageReader {
   /// Skips the next image. Returns false after the last.
   virtual bool Skip() = 0;
 
-  /// Returns std::nullopt unless this is a video file.
+  /// Returns std::nullopt unless this is a video file or bag.
   virtual std::optional<VideoFrames> video_frames() const { return std::nullopt; }
 
   /// Returns how 16-bit images became 8-bit ones, or std::nullopt if none was read.
@@ -77,6 +77,9 @@ std::unique_ptr<ImageReader> OpenCamera(int device);
 /// a readable image, is a truncated or damaged JPEG or PNG, is larger than kMaxImageBytes, or has
 /// more than kMaxImagePixels according to its header (of PNG, JPEG, BMP, PNM, TIFF and WebP).
 cv::Mat ReadStoredGray(const std::filesystem::path& file);
+
+/// Like ReadStoredGray(), but of the bytes of an image file, which messages call `name`.
+cv::Mat DecodeStoredGray(const std::string& bytes, const std::string& name);
 
 /// Like ReadStoredGray(), but as 8-bit gray.
 cv::Mat ReadGrayImage(const std::filesystem::path& file, const GrayLevels& levels = GrayLevels());

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "apps/dataset/bag_reader.h"
 #include "apps/dataset/image_layouts.h"
 #include "orb/error.h"
 
@@ -48,6 +49,12 @@ cv::Mat Resize(const cv::Mat& image, const cv::Size& size) {
   cv::Mat resized;
   cv::resize(image, resized, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
   return resized;
+}
+
+/// Throws corvo::Error if a topic is given for an input that has none.
+void CheckTopic(const std::string& topic, const std::string& input, bool is_bag) {
+  if (topic.empty() || is_bag) return;
+  throw Error(fmt::format("--topic {}: is for ROS bags; {} is none", topic, input));
 }
 
 cv::Mat ResizeMask(const cv::Mat& mask, const cv::Size& size) {
@@ -169,16 +176,22 @@ bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::e
 
 ImageSource OpenImages(const std::string& input, const InputOptions& options,
                        const Selection& selection) {
-  const bool is_video = fs::is_regular_file(input);
+  const bool is_bag = IsBag(input);
+  const bool is_video = !is_bag && fs::is_regular_file(input);
   if (is_video && HasImageExtension(input)) {
     throw Error(fmt::format("{}: is a single image; give its folder or a quoted pattern", input));
   }
-  if (!is_video && !IsLiveInput(input)) {
+  CheckTopic(options.topic, input, is_bag);
+  if (!is_bag && !is_video && !IsLiveInput(input)) {
     return ImageSource(ListImages(input, options), selection, options.bits);
   }
   if (!options.times.empty()) {
     throw Error(fmt::format("{}: times are for image files; {} has its own", options.times.string(),
                             input));
+  }
+  if (is_bag) {
+    BagImages bag = OpenBag(input, options);
+    return {ImageList{"bag", {}, bag.camera}, std::move(bag.reader), selection};
   }
   if (is_video) {
     return {ImageList{"video", {}, {}}, OpenVideo(input, options.frame_rate_hz), selection};

@@ -59,15 +59,16 @@ class ImageSource {
   /// Skips the next image without decoding it. Returns false after the last.
   bool Skip();
 
-  /// Returns the number of selected images (an upper bound for a video or camera), or std::nullopt
+  /// Returns the number of selected images (an upper bound unless they are files), or std::nullopt
   /// if it is unknown.
   std::optional<int> size() const;
-  /// Returns size(), or the number of selected frames that a video promises, or std::nullopt.
+  /// Returns size(), or the number of selected frames that a video or bag promises, or
+  /// std::nullopt.
   std::optional<int> expected_size() const;
   /// Returns whether this is a connected camera, whose sequence ends only when the user stops it.
   bool is_live() const { return list_.layout == "camera"; }
   const ImageList& list() const { return list_; }
-  /// Returns std::nullopt unless this is a video file.
+  /// Returns std::nullopt unless this is a video file or bag.
   std::optional<VideoFrames> video_frames() const { return reader_->video_frames(); }
   /// Returns how 16-bit images became 8-bit ones, or std::nullopt if none was read.
   std::optional<GrayLevels> gray_levels() const { return reader_->gray_levels(); }
@@ -92,9 +93,10 @@ class ImageSource {
 /// Returns whether the input is a connected camera: "0" or "camera:0".
 bool IsLiveInput(const std::string& input);
 
-/// Opens a folder or pattern of images, a video, or a camera. The frame rate of `options`, if
-/// given, also replaces the timestamps of a video. Throws corvo::Error as ListImages() and for a
-/// file of times that is given for a video or camera.
+/// Opens a folder or pattern of images, a video, a ROS bag, or a camera. The frame rate of
+/// `options`, if given, also replaces the timestamps of a video or bag. Throws corvo::Error as
+/// ListImages(), for a file of times that is given for anything but image files, and for a topic of
+/// anything but a bag.
 ImageSource OpenImages(const std::string& input, const InputOptions& options,
                        const Selection& selection);
 

@@ -205,6 +205,8 @@ void AddStoredImageOptions(CLI::App& command, InputOptions& options) {
       .add_option("--bits", options.bits,
                   "number of used bits of 16-bit images; overrides what their gray levels say")
       ->check(CLI::Range(8, 16));
+  command.add_option("--topic", options.topic,
+                     "topic of the images in a ROS bag; needed if it has several");
 }
 
 void AddSelectionOptions(CLI::App& command, Selection& selection) {
@@ -220,7 +222,7 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("INPUT", arguments.input,
                   "image folder, quoted file pattern, KITTI, KITTI raw, EuRoC, TUM-VI, TUM RGB-D, "
-                  "TUM-mono or TartanAir sequence, video, or camera number")
+                  "TUM-mono or TartanAir sequence, video, ROS bag, or camera number")
       ->required();
   CLI::Option* const camera = command.add_option(
       "--camera", arguments.camera,

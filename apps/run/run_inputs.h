@@ -60,7 +60,7 @@ struct RunInputs {
 /// Adds --start, --every and --count.
 void AddSelectionOptions(CLI::App& command, Selection& selection);
 
-/// Adds --fps, --times and --bits: what image files do not say.
+/// Adds --fps, --times, --bits and --topic: what the images do not say.
 void AddStoredImageOptions(CLI::App& command, InputOptions& options);
 
 /// Adds INPUT and the options that select the images and their camera.

@@ -127,7 +127,7 @@ Json ToJson(const GrayLevels& levels) {
 }
 
 /// Adds where the images come from, and those of --start, --every, --count, --resize, --mask,
-/// --fps, --times and --bits that were given.
+/// --fps, --times, --bits and --topic that were given.
 void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json& json) {
   const std::filesystem::path& input = arguments.input;
   const ImageNames names(input, source.list());
@@ -145,6 +145,7 @@ void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json
   if (stored.frame_rate_hz) json["fps"] = *stored.frame_rate_hz;
   if (!stored.times.empty()) json["times"] = stored.times.string();
   if (stored.bits) json["bits"] = *stored.bits;
+  if (!stored.topic.empty()) json["topic"] = stored.topic;
   if (const auto levels = source.gray_levels()) json["gray_levels"] = ToJson(*levels);
 }
 

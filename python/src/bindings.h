@@ -7,6 +7,7 @@ namespace corvo::python {
 
 // Each function adds the classes and functions of one subject to the module.
 
+void BindBags(nanobind::module_& module);
 void BindCamera(nanobind::module_& module);
 void BindCommand(nanobind::module_& module);
 void BindGeometry(nanobind::module_& module);

@@ -10,6 +10,7 @@ NB_MODULE(_corvo, module) {
   nb::exception<corvo::Error>(module, "Error", PyExc_ValueError).attr("__doc__") =
       "Misuse or bad input. The message names the file or argument, its value, and what is "
       "allowed.";
+  BindBags(module);
   BindOptions(module);
   BindCamera(module);
   BindResults(module);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The codecs of the package: images by OpenCV's imgcodecs, videos by the Python package of OpenCV,
-// cv2, if it is installed.
+// cv2, and ROS bags by rosbags, if they are installed.
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -15,6 +15,7 @@
 #include "apps/codecs/image_codecs.h"
 #include "apps/codecs/orientation.h"
 #include "orb/error.h"
+#include "python/src/bags.h"
 
 namespace corvo {
 namespace {
@@ -196,6 +197,11 @@ class Cv2Codecs : public ImageCodecs {
           file, cv2.attr(NameOf(format.backend)), codec, format.frame_rate_hz,
           nb::make_tuple(format.size.width, format.size.height)));
     });
+  }
+
+  std::unique_ptr<BagInput> OpenBag(const std::string& bag,
+                                    const std::string& topic) const override {
+    return python::OpenPythonBag(bag, topic);
   }
 
  private:

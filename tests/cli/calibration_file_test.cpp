@@ -202,6 +202,14 @@ std::string Transforms(const std::string& model, const std::string& distortion) 
          "[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}";
 }
 
+std::string VslamLab(const std::string& type, const std::string& coefficients) {
+  return "cameras:\n- cam_name: rgb_0\n  cam_type: rgb\n  cam_model: pinhole\n"
+         "  focal_length: [520.0, 510.0]\n  principal_point: [319.5, 209.5]\n"
+         "  distortion_type: " +
+         type + "\n  distortion_coefficients: [" + coefficients +
+         "]\n  image_dimension: [640, 480]\n  fps: 15.0\n";
+}
+
 TEST(CalibrationFiles, OfAllFormsAreTheSameCamera) {
   const std::string four = "-0.25, 0.0625, 0.001, -0.002";
   const std::string lines = "k1: -0.25\nk2: 0.0625\np1: 0.001\np2: -0.002\n";
@@ -241,6 +249,7 @@ TEST(CalibrationFiles, OfAllFormsAreTheSameCamera) {
        {"DSO, px", "RadTan 520 510 319.5 209.5 " + blanks + "\n640 480\nnone\n640 480\n"},
        {"DSO, unnamed", "520 510 319.5 209.5 " + blanks + "\n640 480\nnone\n640 480\n"},
        {"nerfstudio", Transforms("OPENCV", json)},
+       {"VSLAM-LAB", VslamLab("radtan4", four)},
        {"one line", "520 510 319.5 209.5 " + blanks + "\r\n"},
        {"JSON",
         "{\"image_width\": 640, \"image_height\": 480, \"fx\": 520, \"fy\": 510, "
@@ -258,6 +267,7 @@ TEST(CalibrationFiles, OfFisheyeLensesAreTheSameCamera) {
        {"Kalibr", Kalibr("cam0", "equidistant", list)},
        {"EuRoC", Euroc("equidistant", list)},
        {"ROS", Ros("equidistant", list)},
+       {"VSLAM-LAB", VslamLab("equid4", list)},
        {"ORB-SLAM3", OrbSlam("Camera1",
                              "Camera.type: \"KannalaBrandt8\"\nCamera1.k1: 0.003\n"
                              "Camera1.k2: 0.0007\nCamera1.k3: -0.002\n"
@@ -374,6 +384,7 @@ TEST(CalibrationFiles, StateTheFrameRate) {
   EXPECT_EQ(rate_of(Euroc("radial-tangential", "0, 0, 0, 0")), 20);
   EXPECT_EQ(rate_of(OrbSlam("Camera", "")), 25);
   EXPECT_EQ(rate_of(Stella("perspective", "")), 25);
+  EXPECT_EQ(rate_of(VslamLab("radtan5", "0, 0, 0, 0, 0")), 15);
   EXPECT_EQ(rate_of(OpenCvYaml("", "0., 0., 0., 0., 0.")), std::nullopt);
   const std::string settings = OrbSlam("Camera", "");
   EXPECT_EQ(rate_of(Replaced(settings, "25.0", "0")), std::nullopt);
@@ -432,6 +443,8 @@ TEST(CalibrationFiles, OfModelsThatCorvoLacksAreErrorsThatNameThem) {
               HasSubstr("MODEL is 'THIN_PRISM_FISHEYE'"));
   EXPECT_THAT(ErrorFor(ColmapText("EQUIRECTANGULAR", "")), HasSubstr("'EQUIRECTANGULAR'"));
   EXPECT_THAT(ErrorFor(ColmapBinary(10, std::vector<double>(8))), HasSubstr("THIN_PRISM_FISHEYE"));
+  EXPECT_THAT(ErrorFor(VslamLab("double-sphere", "0.1, 0.2")),
+              AllOf(HasSubstr("cameras[0].distortion_type"), HasSubstr("'double-sphere'")));
   EXPECT_THAT(ErrorFor(Stella("equirectangular", "")),
               HasSubstr("Camera.model is 'equirectangular'; only perspective and fisheye"));
   EXPECT_THAT(ErrorFor(OrbSlam("Camera1", "Camera.type: \"Mei\"\n")),

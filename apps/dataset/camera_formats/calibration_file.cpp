@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ struct CalibrationForm {
 
 /// The first form that a file has is that of the file. Tables of numbers precede documents, since
 /// most of them are YAML, too.
-constexpr std::array<CalibrationForm, 14> kForms = {{
+constexpr std::array<CalibrationForm, 15> kForms = {{
     {"COLMAP cameras.bin", ColmapBinaryCameras, ReadColmapBinaryCamera},
     {"COLMAP cameras.txt", ColmapTextCameras, ReadColmapTextCamera},
     {"KITTI calib.txt and calib_cam_to_cam.txt", KittiCameras, ReadKittiCamera},
@@ -35,6 +36,7 @@ constexpr std::array<CalibrationForm, 14> kForms = {{
     {"OpenCV FileStorage (yml, xml, json)", OpenCvCameras, ReadMatrixCamera},
     {"stella_vslam settings", StellaCameras, ReadStellaCamera},
     {"ORB-SLAM2 and ORB-SLAM3 settings", OrbSlamCameras, ReadOrbSlamCamera},
+    {"VSLAM-LAB calibration.yaml", VslamLabCameras, ReadVslamLabCamera},
     {"nerfstudio transforms.json", NerfstudioCameras, ReadNerfstudioCamera},
     {"JSON with fx, fy, cx, cy", PlainCameras, ReadPlainCamera},
     {"corvo's camera file", CorvoCameras, ReadCorvoCamera},
@@ -60,7 +62,11 @@ const std::string& Select(const std::vector<std::string>& names, const std::stri
 }  // namespace
 
 CalibrationFile ReadCalibrationFile(const fs::path& file, const std::string& name) {
-  const CalibrationContent content(ReadFileBytes(file, kMaxCalibrationBytes), file);
+  return ParseCalibration(ReadFileBytes(file, kMaxCalibrationBytes), file, name);
+}
+
+CalibrationFile ParseCalibration(std::string bytes, const fs::path& file, const std::string& name) {
+  const CalibrationContent content(std::move(bytes), file);
   for (const CalibrationForm& form : kForms) {
     const std::vector<std::string> names = form.cameras(content);
     if (names.empty()) continue;

@@ -24,6 +24,10 @@ struct CalibrationFile {
 CalibrationFile ReadCalibrationFile(const std::filesystem::path& file,
                                     const std::string& name = "");
 
+/// The same for the content of a calibration file, which messages call `file`.
+CalibrationFile ParseCalibration(std::string bytes, const std::filesystem::path& file,
+                                 const std::string& name = "");
+
 /// Returns the known forms of calibration files, for messages.
 std::string CalibrationForms();
 

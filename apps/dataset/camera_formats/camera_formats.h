@@ -59,6 +59,10 @@ StatedCamera ReadDsoCamera(const CalibrationContent& content, const std::string&
 std::vector<std::string> NerfstudioCameras(const CalibrationContent& content);
 StatedCamera ReadNerfstudioCamera(const CalibrationContent& content, const std::string& name);
 
+/// A calibration.yaml of VSLAM-LAB: a list of cameras, each with its name.
+std::vector<std::string> VslamLabCameras(const CalibrationContent& content);
+StatedCamera ReadVslamLabCamera(const CalibrationContent& content, const std::string& name);
+
 /// One line "fx fy cx cy", followed by distortion coefficients in OpenCV's order, if any.
 std::vector<std::string> OneLineCameras(const CalibrationContent& content);
 StatedCamera ReadOneLineCamera(const CalibrationContent& content, const std::string& name);

@@ -98,6 +98,16 @@ DocumentFields DocumentFields::Section(const std::string& key) const {
   return {Find(key), fmt::format("{}{}.", where_, key)};
 }
 
+std::vector<DocumentFields> DocumentFields::Sections(const std::string& key) const {
+  std::vector<DocumentFields> sections;
+  const YAML::Node list = Find(key);
+  if (!list.IsDefined() || !list.IsSequence()) return sections;
+  for (const YAML::Node& entry : list) {
+    sections.emplace_back(entry, fmt::format("{}{}[{}].", where_, key, sections.size()));
+  }
+  return sections;
+}
+
 std::vector<std::string> KeysOf(const YAML::Node& map) {
   std::vector<std::string> keys;
   if (!map.IsMap()) return keys;

@@ -42,6 +42,8 @@ class DocumentFields {
 
   /// Returns the fields of a mapping in this one.
   DocumentFields Section(const std::string& key) const;
+  /// Returns the fields of each entry of a list; none if the field is no list.
+  std::vector<DocumentFields> Sections(const std::string& key) const;
 
  private:
   YAML::Node Find(const std::string& key) const;
