@@ -10,6 +10,8 @@ from corvo._corvo import (
     ProcessedFrame,
     RelativePose,
     Trajectory,
+    align_truth,
+    read_trajectory,
     shipped_cameras,
 )
 
@@ -22,5 +24,7 @@ __all__ = [
     "ProcessedFrame",
     "RelativePose",
     "Trajectory",
+    "align_truth",
+    "read_trajectory",
     "shipped_cameras",
 ]

@@ -14,4 +14,5 @@ NB_MODULE(_corvo, module) {
   BindCamera(module);
   BindResults(module);
   BindOdometry(module);
+  BindAlignment(module);
 }

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Where a recording goes: a file, or a viewer that sends no usage data."""
+
+import os
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import rerun as rr
+
+from corvo.view.blueprint import make_blueprint
+
+_LOCALHOST = "127.0.0.1"
+
+
+def make_stream() -> rr.RecordingStream:
+    """Returns a recording that goes nowhere yet, with the timelines of the frames alone."""
+    stream = rr.RecordingStream("corvo")
+    stream.set_log_time_enabled(False)
+    stream.set_log_tick_enabled(False)
+    return stream
+
+
+def save_to(stream: rr.RecordingStream, file: Path) -> None:
+    """Sends a recording to a file (.rrd), which is replaced."""
+    stream.save(file, default_blueprint=make_blueprint())
+
+
+def show(stream: rr.RecordingStream, in_browser: bool = False) -> "subprocess.Popen[bytes]":
+    """Sends a recording to a new viewer, a window or a page in the browser.
+
+    The viewer is reached from this machine alone.
+
+    Returns:
+        The process of the viewer, which outlives this one.
+    """
+    port = _free_port()
+    command = [sys.executable, "-m", "rerun", "--bind", _LOCALHOST, "--port", str(port)]
+    command += ["--web-viewer", "--web-viewer-port", str(_free_port())] if in_browser else []
+    viewer = subprocess.Popen(
+        [*command, "--expect-data-soon"], env=silent_environment(), start_new_session=True
+    )
+    address = f"rerun+http://{_LOCALHOST}:{port}/proxy"
+    stream.connect_grpc(address, default_blueprint=make_blueprint())
+    return viewer
+
+
+def silent_environment() -> dict[str, str]:
+    """Returns the environment in which Rerun neither collects nor sends usage data.
+
+    It does neither where CI is set, and leaves the user's configuration of Rerun as it is.
+    """
+    environment = dict(os.environ, CI="true")
+    environment.pop("FORCE_RERUN_ANALYTICS", None)
+    return environment
+
+
+def _free_port() -> int:
+    with socket.socket() as server:
+        server.bind((_LOCALHOST, 0))
+        port: int = server.getsockname()[1]
+        return port
