@@ -10,8 +10,6 @@ from corvo._corvo import (
     ProcessedFrame,
     RelativePose,
     Trajectory,
-    align_truth,
-    read_trajectory,
     shipped_cameras,
 )
 
@@ -24,7 +22,5 @@ __all__ = [
     "ProcessedFrame",
     "RelativePose",
     "Trajectory",
-    "align_truth",
-    "read_trajectory",
     "shipped_cameras",
 ]

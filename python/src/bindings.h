@@ -7,7 +7,6 @@ namespace corvo::python {
 
 // Each function adds the classes and functions of one subject to the module.
 
-void BindAlignment(nanobind::module_& module);
 void BindCamera(nanobind::module_& module);
 void BindOdometry(nanobind::module_& module);
 void BindOptions(nanobind::module_& module);

@@ -14,5 +14,4 @@ NB_MODULE(_corvo, module) {
   BindCamera(module);
   BindResults(module);
   BindOdometry(module);
-  BindAlignment(module);
 }

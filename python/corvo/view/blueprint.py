@@ -15,7 +15,8 @@ def make_blueprint() -> rrb.Blueprint:
         rrb.TimeSeriesView(name="Matches", origin="series/matches"),
         rrb.TimeSeriesView(name="Latency", origin="series/latency"),
         rrb.TimeSeriesView(name="Parallax", origin="series/parallax"),
-        rrb.TimeSeriesView(name="Camera", origin="camera"),
+        rrb.TimeSeriesView(name="Focal length", origin="camera/fx"),
+        rrb.TimeSeriesView(name="Distortion", contents=["camera/k1", "camera/k2", "camera/omega"]),
     )
     right = rrb.Vertical(image, series, row_shares=[3, 2])
     return rrb.Blueprint(

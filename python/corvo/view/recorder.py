@@ -7,6 +7,7 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
+import corvo
 from corvo.view import colors, images
 from corvo.view.ellipsoid import make_ellipsoid
 from corvo.view.frame import Frame
@@ -29,6 +30,12 @@ class Intrinsics:
     fy: float
     cx: float
     cy: float
+
+    @classmethod
+    def of(cls, camera: corvo.Camera) -> "Intrinsics":
+        values = camera.parameters
+        width, height = int(values["width"]), int(values["height"])
+        return cls(width, height, values["fx"], values["fy"], values["cx"], values["cy"])
 
 
 class Recorder:
@@ -108,7 +115,8 @@ class Recorder:
 
     def truth(self, positions: NDArray[np.float64]) -> None:
         """Logs the true path, aligned with the world of the trajectory, for all times; (n, 3)."""
-        self._log_strip("world/truth", positions, colors.TRUTH, static=True)
+        strip = rr.LineStrips3D([positions], colors=[colors.TRUTH], radii=_THIN)
+        self._stream.log("world/truth", strip, static=True)
 
     def finish(self, paths: dict[int, NDArray[np.float64]] | None = None) -> None:
         """Completes the recording.
@@ -120,9 +128,7 @@ class Recorder:
         self._log_piece(self._path.finish())
         self._stream.log("world/current", rr.Clear(recursive=False))
         for segment, positions in (paths or {}).items():
-            self._log_strip(
-                f"world/final/{segment}", positions, colors.segment_color(segment), static=False
-            )
+            self._log_strip(f"world/final/{segment}", positions, colors.segment_color(segment))
         self._stream.flush()
 
     def _log_styles(self) -> None:
@@ -181,15 +187,10 @@ class Recorder:
             self._log_strip("world/path", np.array(piece.positions), color)
 
     def _log_strip(
-        self,
-        entity: str,
-        positions: NDArray[np.float64],
-        color: tuple[int, int, int],
-        static: bool = False,
+        self, entity: str, positions: NDArray[np.float64], color: tuple[int, int, int]
     ) -> None:
         self.num_path_points += len(positions)
-        strip = rr.LineStrips3D([positions], colors=[color], radii=_THICK)
-        self._stream.log(entity, strip, static=static)
+        self._stream.log(entity, rr.LineStrips3D([positions], colors=[color], radii=_THICK))
 
     def _log_series(self, frame: Frame, latency_ms: float | None) -> None:
         log = self._stream.log

@@ -67,7 +67,7 @@ class Result:
             raise corvo.Error(f"{folder}: is not the result of a run; it has no frames.csv")
         self.summary: dict[str, Any] = json.loads((folder / "summary.json").read_text())
         self._rows = self._read_table("frames.csv")
-        times, poses = corvo.read_trajectory(folder / "trajectory.tum")
+        times, poses = corvo.read_tum(folder / "trajectory.tum")
         self._poses = dict(zip(times.tolist(), poses))
         self._covariances = {
             int(row["index"]): _covariance(row) for row in self._read_table("relative_poses.csv")
@@ -78,10 +78,7 @@ class Result:
 
     @property
     def intrinsics(self) -> Intrinsics:
-        camera = corvo.Camera.load(self._folder / "camera_estimated.yaml")
-        parameters = camera.parameters
-        sides = {name: int(parameters[name]) for name in ("width", "height")}
-        return Intrinsics(**sides, **{name: parameters[name] for name in ("fx", "fy", "cx", "cy")})
+        return Intrinsics.of(corvo.Camera.load(self._folder / "camera_estimated.yaml"))
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -115,23 +112,13 @@ class Result:
         }
 
     def truth(self) -> NDArray[np.float64] | None:
-        """Returns the true path, shape (n, 3), aligned with the segment that has most poses."""
+        """Returns the true path in the world of the trajectory, shape (n, 3), if it is known."""
         file = self._folder / "groundtruth.tum"
-        if not file.is_file() or not self._poses:
+        evaluation = self.summary.get("evaluation")
+        if evaluation is None or not file.is_file():
             return None
-        truth_times, truth_poses = corvo.read_trajectory(file)
-        times, positions = self._largest_segment()
-        truth_positions = np.ascontiguousarray(truth_poses[:, :3, 3])
-        transform = corvo.align_truth(times, positions, truth_times, truth_positions)
-        aligned: NDArray[np.float64] = truth_positions @ transform[:3, :3].T + transform[:3, 3]
-        return aligned
-
-    def _largest_segment(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        posed = [row for row in self._rows if row["posed"] == "1"]
-        segments = np.array([int(row["segment"]) for row in posed])
-        is_used = segments == np.bincount(segments).argmax()
-        times = np.array([_nanoseconds(row["timestamp"]) for row in posed])[is_used]
-        return times, np.array([self._poses[time][:3, 3] for time in times.tolist()])
+        positions = corvo.read_tum(file)[1][:, :3, 3]
+        return align_truth(positions, evaluation["truth_from_estimate"])
 
     def _frame(
         self, row: dict[str, str], observations: NDArray[Any], latency_ms: float
@@ -183,6 +170,21 @@ def record_result(result: Result, recorder: Recorder) -> None:
     if truth is not None:
         recorder.truth(truth)
     recorder.finish()
+
+
+def align_truth(
+    positions: NDArray[np.float64], truth_from_estimate: dict[str, Any]
+) -> NDArray[np.float64]:
+    """Returns true positions, shape (n, 3), in the world of an estimate.
+
+    Args:
+        truth_from_estimate: The similarity in the results of corvo.evaluate().
+    """
+    x, y, z, w = truth_from_estimate["quaternion_xyzw"]
+    offsets = positions - truth_from_estimate["translation"]
+    turns = 2 * np.cross([-x, -y, -z], offsets)
+    rotated: NDArray[np.float64] = offsets + w * turns + np.cross([-x, -y, -z], turns)
+    return rotated / truth_from_estimate["scale"]
 
 
 def _nanoseconds(seconds: str) -> int:

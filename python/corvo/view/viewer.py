@@ -27,19 +27,18 @@ def save_to(stream: rr.RecordingStream, file: Path) -> None:
     stream.save(file, default_blueprint=make_blueprint())
 
 
-def show(stream: rr.RecordingStream, in_browser: bool = False) -> "subprocess.Popen[bytes]":
-    """Sends a recording to a new viewer, a window or a page in the browser.
-
-    The viewer is reached from this machine alone.
+def show(stream: rr.RecordingStream) -> "subprocess.Popen[bytes]":
+    """Sends a recording to the window of a new viewer, which only this machine reaches.
 
     Returns:
         The process of the viewer, which outlives this one.
     """
     port = _free_port()
-    command = [sys.executable, "-m", "rerun", "--bind", _LOCALHOST, "--port", str(port)]
-    command += ["--web-viewer", "--web-viewer-port", str(_free_port())] if in_browser else []
+    command = ["--bind", _LOCALHOST, "--port", str(port), "--expect-data-soon"]
     viewer = subprocess.Popen(
-        [*command, "--expect-data-soon"], env=silent_environment(), start_new_session=True
+        [sys.executable, "-m", "rerun", *command],
+        env=silent_environment(),
+        start_new_session=True,
     )
     address = f"rerun+http://{_LOCALHOST}:{port}/proxy"
     stream.connect_grpc(address, default_blueprint=make_blueprint())
