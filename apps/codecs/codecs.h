@@ -10,6 +10,19 @@
 
 namespace corvo {
 
+/// The backend of OpenCV that reads or writes a video.
+enum class VideoBackend { kFfmpeg, kMotionJpeg };
+
+/// What a video or camera says of itself.
+enum class VideoProperty {
+  kWidth,      ///< px, as the images are stored.
+  kHeight,     ///< px, as the images are stored.
+  kNumFrames,  ///< May be an estimate.
+  kFrameRateHz,
+  kTimeMs,        ///< Time of the grabbed frame.
+  kClockwiseDeg,  ///< By how much images are to be turned clockwise.
+};
+
 /// A video or connected camera that is read frame by frame, as by cv::VideoCapture.
 class VideoInput {
  public:
@@ -18,8 +31,8 @@ class VideoInput {
   virtual bool Grab() = 0;
   /// Decodes the grabbed frame. Returns false if that fails.
   virtual bool Retrieve(cv::Mat& image) = 0;
-  /// Returns a property, cv::CAP_PROP_..., or 0 if it is unknown.
-  virtual double Get(int property) const = 0;
+  /// Returns 0 if the property is unknown.
+  virtual double Get(VideoProperty property) const = 0;
 };
 
 /// A video that is written frame by frame, as by cv::VideoWriter, and completed by its destructor.
@@ -29,10 +42,9 @@ class VideoOutput {
   virtual void Write(const cv::Mat& image) = 0;
 };
 
-/// The format of a video that is written: the backend of OpenCV and the code of its codec.
+/// The format of a video that is written: MPEG-4 by FFmpeg, or Motion JPEG.
 struct VideoFormat {
-  int backend = 0;
-  int codec = 0;
+  VideoBackend backend = VideoBackend::kFfmpeg;
   double frame_rate_hz = 30;
   cv::Size size;
 };
@@ -48,10 +60,11 @@ class Codecs {
   /// Like cv::imencode(). Returns an empty vector on errors.
   virtual std::vector<std::uint8_t> EncodeImage(const std::string& extension,
                                                 const cv::Mat& image) const = 0;
-  /// Opens a video with a backend of OpenCV; `parameters` are pairs of a property and its value.
-  /// Returns null on errors.
-  virtual std::unique_ptr<VideoInput> OpenVideo(const std::string& file, int backend,
-                                                const std::vector<int>& parameters) const = 0;
+  /// Opens a video. Returns null on errors.
+  virtual std::unique_ptr<VideoInput> OpenVideo(const std::string& file,
+                                                VideoBackend backend) const = 0;
+  /// Opens a video whose images are its encoded packets, rows of bytes. Returns null on errors.
+  virtual std::unique_ptr<VideoInput> OpenPackets(const std::string& file) const = 0;
   /// Opens a connected camera. Returns null on errors.
   virtual std::unique_ptr<VideoInput> OpenCamera(int device) const = 0;
   /// Begins a video. Returns null on errors.
@@ -59,8 +72,9 @@ class Codecs {
                                                    const VideoFormat& format) const = 0;
 };
 
-/// Returns the codecs, which are linked, or in the command loaded with the first call. Throws
-/// corvo::Error if they cannot be loaded.
+/// Returns the codecs, which the program that links corvo_apps defines: corvo_codecs, what the
+/// command loads with the first call, or those of the Python package. Throws corvo::Error if they
+/// cannot be loaded.
 const Codecs& GetCodecs();
 
 }  // namespace corvo

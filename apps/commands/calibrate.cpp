@@ -124,8 +124,10 @@ int Calibrate(const CalibrateArguments& arguments, const Interruption& interrupt
     return kNotCalibrated;
   }
   const CameraCandidate& candidate = calibration.candidates[calibration.selected];
-  fmt::print("{}\n{}", CandidatesText(calibration.candidates, calibration.selected),
-             EstimateText(candidate));
+  if (spdlog::should_log(spdlog::level::info)) {
+    fmt::print("{}\n{}", CandidatesText(calibration.candidates, calibration.selected),
+               EstimateText(candidate));
+  }
   for (const std::string& warning : UndeterminedWarnings(candidate)) spdlog::warn("{}", warning);
   WriteCalibration(candidate, arguments.output, output);
   return 0;

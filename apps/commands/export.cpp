@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "apps/commands/force_flag.h"
 #include "apps/export/colmap_model.h"
@@ -130,6 +131,7 @@ void Export(const ExportArguments& arguments) {
   folder.Commit(JsonText({{"result", fs::absolute(arguments.result).string()},
                           {"format", arguments.format},
                           {"undistorted", arguments.undistorts}}));
+  if (!spdlog::should_log(spdlog::level::info)) return;
   fmt::print("{}{}\n", text, Printable(arguments.output.string()));
 }
 

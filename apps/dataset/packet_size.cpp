@@ -3,18 +3,11 @@
 
 #include <string_view>
 
-#include <opencv2/videoio.hpp>
-
 #include "apps/dataset/image_header.h"
 
 namespace corvo {
 
 namespace {
-
-/// Returns null on errors.
-std::unique_ptr<VideoInput> OpenPackets(const std::filesystem::path& file) {
-  return GetCodecs().OpenVideo(file.string(), cv::CAP_FFMPEG, {cv::CAP_PROP_FORMAT, -1});
-}
 
 /// Returns whether there is a next packet.
 bool Read(VideoInput& packets, cv::Mat& packet) {
@@ -23,13 +16,14 @@ bool Read(VideoInput& packets, cv::Mat& packet) {
 
 }  // namespace
 
-PacketSizes::PacketSizes(const std::filesystem::path& file) : packets_(OpenPackets(file)) {
+PacketSizes::PacketSizes(const std::filesystem::path& file)
+    : packets_(GetCodecs().OpenPackets(file.string())) {
   if (!packets_) return;
   cv::Mat packet;
   const bool is_jpeg = Read(*packets_, packet) && packet.isContinuous() && packet.total() > 2 &&
                        packet.data[0] == 0xFF && packet.data[1] == 0xD8;
   packets_.reset();
-  if (is_jpeg) packets_ = OpenPackets(file);  // At the first packet again.
+  if (is_jpeg) packets_ = GetCodecs().OpenPackets(file.string());  // At the first packet again.
 }
 
 std::optional<cv::Size> PacketSizes::Next() {

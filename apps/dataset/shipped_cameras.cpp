@@ -22,7 +22,10 @@ std::optional<Camera> FindCamera(const fs::path& file) {
   }
 }
 
-fs::path ConfigFolder() { return PathFromCommand(CORVO_CONFIGS_FROM_COMMAND); }
+fs::path& ConfigFolder() {
+  static fs::path folder = PathFromCommand(CORVO_CONFIGS_FROM_COMMAND);
+  return folder;
+}
 
 /// Returns the names of the shipped cameras that `is_wanted` accepts, sorted.
 template <typename Predicate>
@@ -38,6 +41,8 @@ std::vector<std::string> NamesOf(Predicate&& is_wanted) {
 }
 
 }  // namespace
+
+void SetConfigFolder(const fs::path& folder) { ConfigFolder() = folder; }
 
 std::vector<std::string> ShippedCameraNames() {
   return NamesOf([](const Camera&) { return true; });

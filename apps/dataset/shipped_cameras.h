@@ -7,6 +7,10 @@
 
 namespace corvo {
 
+/// Sets the folder of the shipped configurations of a program other than the command, which finds
+/// them at their place relative to itself.
+void SetConfigFolder(const std::filesystem::path& folder);
+
 /// Returns the names of the cameras that are shipped with corvo, sorted. Empty if the folder of
 /// configurations is not found.
 std::vector<std::string> ShippedCameraNames();

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "apps/codecs/codecs.h"
 #include "apps/dataset/image_header.h"
@@ -120,35 +119,27 @@ class CaptureReader : public ImageReader {
   TimeNs time_ns_ = 0;
 };
 
-/// Returns by how much the container says that images are to be turned clockwise.
-int ClockwiseDegrees(const VideoInput& input) {
-  const int said = static_cast<int>(input.Get(cv::CAP_PROP_ORIENTATION_META));
-  // OpenCV 4.6 counts counterclockwise (issue 22088 of OpenCV), earlier and later ones clockwise.
-  const bool is_opposite = cv::getVersionMajor() == 4 && cv::getVersionMinor() == 6;
-  return is_opposite ? (360 - said) % 360 : said;
-}
-
 class VideoReader : public CaptureReader {
  public:
   VideoReader(std::unique_ptr<VideoInput> opened, const fs::path& file,
               std::optional<double> frame_rate_hz)
       : CaptureReader(std::move(opened), file.string()),
         packets_(file),
-        size_(static_cast<int>(input().Get(cv::CAP_PROP_FRAME_WIDTH)),
-              static_cast<int>(input().Get(cv::CAP_PROP_FRAME_HEIGHT))),
+        size_(static_cast<int>(input().Get(VideoProperty::kWidth)),
+              static_cast<int>(input().Get(VideoProperty::kHeight))),
         frame_rate_hz_(frame_rate_hz),
-        clockwise_deg_(ClockwiseDegrees(input())) {
+        clockwise_deg_(static_cast<int>(input().Get(VideoProperty::kClockwiseDeg))) {
     constexpr double kMaxFrames = 1e9;
     frames_.num_promised =
-        static_cast<int>(std::clamp(input().Get(cv::CAP_PROP_FRAME_COUNT), 0.0, kMaxFrames));
-    const double said_hz = input().Get(cv::CAP_PROP_FPS);
+        static_cast<int>(std::clamp(input().Get(VideoProperty::kNumFrames), 0.0, kMaxFrames));
+    const double said_hz = input().Get(VideoProperty::kFrameRateHz);
     const bool is_plausible = said_hz >= 1e-3 && said_hz <= 1e6;
     frame_ns_ = std::llround(1e9 / (is_plausible ? said_hz : kDefaultFrameRateHz));
   }
 
  private:
   TimeNs TimeOfGrabbed(const VideoInput& input, int index, TimeNs before) override {
-    const double said_ms = input.Get(cv::CAP_PROP_POS_MSEC);
+    const double said_ms = input.Get(VideoProperty::kTimeMs);
     const TimeNs time_ns = std::isfinite(said_ms) ? std::llround(1e6 * said_ms) : 0;
     last_ns_ = std::max(last_ns_, time_ns);
     if (frame_rate_hz_) return std::llround(1e9 * index / *frame_rate_hz_);
@@ -218,14 +209,14 @@ class CameraReader : public CaptureReader {
 std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<double> frame_rate_hz) {
   DecoderMessages messages;
   // One backend, so that timestamps and colors do not depend on those that are installed.
-  std::unique_ptr<VideoInput> input = GetCodecs().OpenVideo(file.string(), cv::CAP_FFMPEG, {});
+  std::unique_ptr<VideoInput> input = GetCodecs().OpenVideo(file.string(), VideoBackend::kFfmpeg);
   if (!input) {
     const std::string complaint = messages.Take();
     throw Error(fmt::format("{}: neither a folder of images nor a video that can be decoded{}",
                             file.string(), complaint.empty() ? "" : " (" + complaint + ")"));
   }
   CheckRange(file.string() + ": number of pixels",
-             input->Get(cv::CAP_PROP_FRAME_WIDTH) * input->Get(cv::CAP_PROP_FRAME_HEIGHT), 0.0,
+             input->Get(VideoProperty::kWidth) * input->Get(VideoProperty::kHeight), 0.0,
              static_cast<double>(kMaxImagePixels));
   return std::make_unique<VideoReader>(std::move(input), file, frame_rate_hz);
 }

@@ -2,15 +2,12 @@
 #include "apps/output/film.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "apps/output/decoder_messages.h"
 #include "apps/output/file_extension.h"
@@ -23,27 +20,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kNumWaiting = 12;  // Drawings whose timestamps give the frame rate.
 
-/// Returns the number that stands for a name of four characters.
-int CodecOf(std::string_view name) {
-  int code = 0;
-  for (std::size_t i = 0; i < 4; ++i) code |= static_cast<unsigned char>(name[i]) << (8 * i);
-  return code;
-}
-
 /// Returns OpenCV's own backend for Motion JPEG, or FFmpeg.
-int BackendOf(const fs::path& file) {
-  return LowerExtension(file) == ".avi" ? cv::CAP_OPENCV_MJPEG : cv::CAP_FFMPEG;
+VideoBackend BackendOf(const fs::path& file) {
+  return LowerExtension(file) == ".avi" ? VideoBackend::kMotionJpeg : VideoBackend::kFfmpeg;
 }
 
-/// Opens a film; returns null on errors. Both encoders are parts of OpenCV and FFmpeg under their
-/// own, permissive or LGPL licenses, unlike x264.
+/// Opens a film; returns null on errors.
 std::unique_ptr<VideoOutput> Open(const fs::path& file, double frame_rate_hz,
                                   const cv::Size& size) {
-  const int backend = BackendOf(file);
-  const int codec = CodecOf(backend == cv::CAP_OPENCV_MJPEG ? "MJPG" : "mp4v");
   const Codecs& codecs = GetCodecs();
   const DecoderMessages messages;
-  return codecs.CreateVideo(file.string(), {backend, codec, frame_rate_hz, size});
+  return codecs.CreateVideo(file.string(), {BackendOf(file), frame_rate_hz, size});
 }
 
 /// Throws corvo::Error if OpenCV has no encoder for the file, which need not exist.
@@ -62,9 +49,8 @@ void CheckEncoder(const fs::path& staged, const fs::path& file) {
 /// of writing.
 bool IsWhole(const fs::path& file, int num_images) {
   const DecoderMessages messages;
-  const std::unique_ptr<VideoInput> film =
-      GetCodecs().OpenVideo(file.string(), BackendOf(file), {});
-  return film && std::lround(film->Get(cv::CAP_PROP_FRAME_COUNT)) >= num_images;
+  const std::unique_ptr<VideoInput> film = GetCodecs().OpenVideo(file.string(), BackendOf(file));
+  return film && std::lround(film->Get(VideoProperty::kNumFrames)) >= num_images;
 }
 
 /// Returns the image with an even number of rows and columns, which MPEG-4 needs.

@@ -28,9 +28,6 @@ namespace {
 
 namespace nb = nanobind;
 
-using Points2In = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
-using Points3In = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
-
 /// Reads a camera as `corvo run --camera` does. The size is used if the file states none.
 CameraFile LoadCamera(const std::filesystem::path& name, int width, int height) {
   const StatedCamera stated = ReadNamedCamera(name).camera;
@@ -70,12 +67,12 @@ Points2 MapPoints(const double* points, std::size_t count, Map&& map) {
   return MoveToArray<Points2>(std::move(results), {count, 2});
 }
 
-Points2 Project(const CameraFile& file, const Points3In& points) {
+Points2 Project(const CameraFile& file, const PointsIn<3>& points) {
   return MapPoints<3>(points.data(), points.shape(0),
                       [&](const Eigen::Vector3d& point) { return file.camera.Project(point); });
 }
 
-Points2 Undistort(const CameraFile& file, const Points2In& pixels) {
+Points2 Undistort(const CameraFile& file, const PointsIn<2>& pixels) {
   return MapPoints<2>(pixels.data(), pixels.shape(0),
                       [&](const Eigen::Vector2d& pixel) { return file.camera.Undistort(pixel); });
 }

@@ -2,50 +2,27 @@
 #include "python/src/images.h"
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-#include <nanobind/ndarray.h>
 #include <opencv2/imgproc.hpp>
 
-#include "orb/error.h"
+#include "python/src/byte_arrays.h"
 
 namespace corvo::python {
 namespace {
 
 namespace nb = nanobind;
 
-using Array = nb::ndarray<nb::ro, nb::device::cpu>;
-
 constexpr std::size_t kMaxSide = 100000;
 constexpr std::size_t kNumColors = 3;
 
-/// Throws the corvo::Error of an argument `name` whose property has a value that is not allowed.
-[[noreturn]] void Throw(std::string_view name, std::string_view property, nb::handle value,
-                        std::string_view allowed) {
-  throw Error(
-      fmt::format("{} has {} {}; allowed is {}", name, property, nb::str(value).c_str(), allowed));
-}
-
-Array ToArray(nb::handle object, std::string_view name) {
-  if (nb::hasattr(object, "dtype")) {
-    const nb::object dtype = object.attr("dtype");
-    if (nb::str(dtype).equal(nb::str("uint8"))) {
-      if (Array array; nb::try_cast(object, array, false)) return array;
-    }
-    Throw(name, "dtype", dtype, "uint8");
-  }
-  Throw(name, "type", object.type().attr("__name__"), "a NumPy array");
-}
-
-bool HasSize(const Array& array) {
+bool HasSize(const ByteArray& array) {
   const auto is_side = [](std::size_t side) { return side > 0 && side <= kMaxSide; };
   return is_side(array.shape(0)) && is_side(array.shape(1));
 }
 
 /// Returns whether the pixels of each row follow each other, and the rows do not overlap.
-bool HasContiguousRows(const Array& array) {
+bool HasContiguousRows(const ByteArray& array) {
   std::int64_t step = 1;
   for (std::size_t axis = array.ndim() - 1; axis > 0; --axis) {
     if (array.shape(axis) > 1 && array.stride(axis) != step) return false;
@@ -55,10 +32,10 @@ bool HasContiguousRows(const Array& array) {
 }
 
 /// Returns an image of `type` that shares the pixels of an array.
-cv::Mat ToMat(nb::handle object, const Array& array, int type, std::string_view name) {
+cv::Mat ToMat(nb::handle object, const ByteArray& array, int type, std::string_view name) {
   if (!HasContiguousRows(array)) {
-    Throw(name, "strides", object.attr("strides"),
-          "contiguous rows, as numpy.ascontiguousarray makes them");
+    ThrowNotAllowed(name, "strides", object.attr("strides"),
+                    "contiguous rows, as numpy.ascontiguousarray makes them");
   }
   const int height = static_cast<int>(array.shape(0));
   const int width = static_cast<int>(array.shape(1));
@@ -71,11 +48,12 @@ cv::Mat ToMat(nb::handle object, const Array& array, int type, std::string_view 
 }  // namespace
 
 cv::Mat ToGrayImage(nb::handle image) {
-  const Array array = ToArray(image, "image");
+  const ByteArray array = ToByteArray(image, "image");
   const bool is_color = array.ndim() == 3 && array.shape(2) == kNumColors;
   if ((array.ndim() != 2 && !is_color) || !HasSize(array)) {
-    Throw("image", "shape", image.attr("shape"),
-          "(height, width) for gray or (height, width, 3) for RGB, with sides of 1 to 100000");
+    ThrowNotAllowed(
+        "image", "shape", image.attr("shape"),
+        "(height, width) for gray or (height, width, 3) for RGB, with sides of 1 to 100000");
   }
   if (!is_color) return ToMat(image, array, CV_8UC1, "image");
   cv::Mat gray;
@@ -85,9 +63,10 @@ cv::Mat ToGrayImage(nb::handle image) {
 
 cv::Mat ToMask(nb::handle mask) {
   if (mask.is_none()) return {};
-  const Array array = ToArray(mask, "mask");
+  const ByteArray array = ToByteArray(mask, "mask");
   if (array.ndim() != 2 || !HasSize(array)) {
-    Throw("mask", "shape", mask.attr("shape"), "(height, width), with sides of 1 to 100000");
+    ThrowNotAllowed("mask", "shape", mask.attr("shape"),
+                    "(height, width), with sides of 1 to 100000");
   }
   return ToMat(mask, array, CV_8UC1, "mask").clone();
 }

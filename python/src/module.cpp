@@ -14,4 +14,8 @@ NB_MODULE(_corvo, module) {
   BindCamera(module);
   BindResults(module);
   BindOdometry(module);
+  BindOrb(module);
+  BindGeometry(module);
+  BindOffline(module);
+  BindCommand(module);
 }

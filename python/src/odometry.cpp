@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +10,8 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/images.h"
-#include "vo/io/config.h"
+#include "python/src/map_points.h"
+#include "python/src/shared_odometry.h"
 #include "vo/odometry.h"
 
 namespace corvo::python {
@@ -37,26 +36,6 @@ ProcessedFrame WithTracks(FrameResult result, const Frame& frame) {
   return processed;
 }
 
-/// An odometry that several Python threads may use: one call at a time works, without the GIL, and
-/// others wait for it.
-class SharedOdometry {
- public:
-  SharedOdometry(const CameraFile& camera, const OdometryOptions& options, int threads)
-      : odometry_(camera.Prior(options.calibration), options, threads) {}
-
-  /// Returns what `work` returns for the odometry.
-  template <typename Work>
-  auto Run(Work&& work) {
-    const nb::gil_scoped_release release;
-    const std::lock_guard lock(mutex_);
-    return work(odometry_);
-  }
-
- private:
-  std::mutex mutex_;
-  Odometry odometry_;
-};
-
 ProcessedFrame Process(SharedOdometry& shared, nb::handle image, TimeNs timestamp_ns,
                        nb::handle mask) {
   const cv::Mat gray = ToGrayImage(image);
@@ -67,6 +46,26 @@ ProcessedFrame Process(SharedOdometry& shared, nb::handle image, TimeNs timestam
   });
 }
 
+FrameResult ProcessMissing(SharedOdometry& shared, TimeNs timestamp_ns) {
+  return shared.Run([&](Odometry& odometry) {
+    return odometry.ProcessMissing(timestamp_ns, Reason::kUnreadableImage);
+  });
+}
+
+/// Returns the camera as it is estimated now, with its standard deviations.
+CameraFile EstimatedCamera(SharedOdometry& shared) {
+  return shared.Run([](Odometry& odometry) {
+    const CameraEstimate& estimate = odometry.camera_estimate();
+    return CameraFile{odometry.camera(), std::nullopt, "estimated by corvo",
+                      Posterior(odometry.camera_prior().free, estimate.covariance)};
+  });
+}
+
+MapPoints Landmarks(SharedOdometry& shared) {
+  return ToMapPoints(shared.Run(
+      [&](Odometry& odometry) { return CollectPoints(shared.marginalized(), odometry.map()); }));
+}
+
 void BindProcessedFrame(nb::module_& module) {
   nb::class_<ProcessedFrame, FrameResult>(module, "ProcessedFrame",
                                           "The result of a frame with its tracks.")
@@ -75,14 +74,14 @@ void BindProcessedFrame(nb::module_& module) {
           [](const ProcessedFrame& frame) {
             return MoveToArray<Points2>(frame.pixels, {frame.landmarks.size(), 2});
           },
-          nb::rv_policy::move,
+          nb::rv_policy::automatic,
           "float64 of shape (n, 2): the pixels (x, y) at which landmarks are observed.")
       .def_prop_ro(
           "landmarks",
           [](const ProcessedFrame& frame) {
             return MoveToArray<Ids>(frame.landmarks, {frame.landmarks.size()});
           },
-          nb::rv_policy::move,
+          nb::rv_policy::automatic,
           "int64 of shape (n,): the id of the landmark that each keypoint observes.");
 }
 
@@ -101,11 +100,13 @@ Args:
     options: The options; the defaults if left out.
     threads: Number of threads that share the work of a frame, 1 to 256. The map is adjusted on up
         to two more.
+    record: Whether all observations are kept, in a temporary file, for refine().
 
 Raises:
     Error: An option or `threads` is out of range.)")
-      .def(nb::init<const CameraFile&, const OdometryOptions&, int>(), nb::arg("camera"),
-           nb::arg("options") = OdometryOptions(), nb::arg("threads") = 1)
+      .def(nb::init<const CameraFile&, const OdometryOptions&, int, bool>(), nb::arg("camera"),
+           nb::arg("options") = OdometryOptions(), nb::arg("threads") = 1,
+           nb::arg("record") = false)
       .def("process", &Process, nb::arg("image").none(), nb::arg("timestamp_ns"),
            nb::arg("mask") = nb::none(),
            nb::sig("def process(self, image: numpy.typing.NDArray[numpy.uint8], timestamp_ns: int, "
@@ -133,7 +134,25 @@ Raises:
           [](SharedOdometry& shared) {
             return shared.Run([](Odometry& odometry) { return odometry.GetTrajectory(); });
           },
-          "The trajectory as it is known now: later adjustments change earlier poses.");
+          "The trajectory as it is known now: later adjustments change earlier poses.")
+      .def("process_missing", &ProcessMissing, nb::arg("timestamp_ns"),
+           R"(Adds a frame whose image could not be read: it gets no pose, and tracking goes on.
+
+Raises:
+    Error: The time is not later than that of the previous frame.)")
+      .def(
+          "pose_graph",
+          [](SharedOdometry& shared) {
+            return shared.Run([](Odometry& odometry) { return odometry.GetPoseGraph(); });
+          },
+          "The keyframes as they are known now, and how well their relative poses are known.")
+      .def("landmarks", &Landmarks, "The sparse map as it is known now.")
+      .def_prop_ro("camera", &EstimatedCamera,
+                   "The camera as it is estimated now, with standard deviations.")
+      .def(
+          "reset",
+          [](SharedOdometry& shared) { shared.Run([](Odometry& odometry) { odometry.Reset(); }); },
+          "Returns to the state after construction.");
 }
 
 }  // namespace corvo::python

@@ -8,6 +8,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 #include <Eigen/Core>
@@ -16,7 +17,9 @@
 #include "apps/run/trajectory_file.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
+#include "python/src/map_points.h"
 #include "vo/core/trajectory.h"
+#include "vo/io/pose_graph_io.h"
 #include "vo/io/trajectory_io.h"
 #include "vo/map/pose_graph.h"
 
@@ -113,12 +116,19 @@ Poses PosesOf(const Trajectory& trajectory) {
 void BindTrajectory(nb::module_& module) {
   nb::class_<Trajectory>(module, "Trajectory", "The results of all input frames, in input order.")
       .def_ro("frames", &Trajectory::frames, "The FrameResult of every input frame.")
-      .def_prop_ro("timestamps_ns", &PosedTimes, nb::rv_policy::move,
+      .def_prop_ro("timestamps_ns", &PosedTimes, nb::rv_policy::automatic,
                    "int64 of shape (n,): times of the posed frames.")
-      .def_prop_ro("world_from_camera", &PosesOf, nb::rv_policy::move,
+      .def_prop_ro("world_from_camera", &PosesOf, nb::rv_policy::automatic,
                    "float64 of shape (n, 4, 4): poses of the posed frames.")
       .def_prop_ro("posed_share", &Trajectory::PosedShare, "Share of frames with a pose, 0 to 1.")
       .def("__len__", [](const Trajectory& trajectory) { return trajectory.frames.size(); })
+      .def(
+          "to_frame",
+          [](const Trajectory& trajectory) {
+            return nb::module_::import_("corvo.frames").attr("to_frame")(FrameTable(trajectory));
+          },
+          nb::sig("def to_frame(self) -> pandas.DataFrame"),
+          "The frames.csv of the command as a pandas.DataFrame. Raises Error without pandas.")
       .def(
           "to_csv", [](const Trajectory& trajectory) { return FrameTable(trajectory); },
           "The text of the frames.csv of the command: a row for each frame.")
@@ -134,12 +144,90 @@ Raises:
     Error: The file cannot be written.)");
 }
 
+void BindMapPoints(nb::module_& module) {
+  nb::class_<MapPoints>(module, "MapPoints", "The landmarks of a map, with equal indices.")
+      .def_prop_ro(
+          "ids",
+          [](const MapPoints& points) { return MoveToArray<Ids>(points.ids, {points.ids.size()}); },
+          nb::rv_policy::automatic, "int64 of shape (n,).")
+      .def_prop_ro(
+          "segments",
+          [](const MapPoints& points) {
+            return MoveToArray<Ids>(points.segments, {points.ids.size()});
+          },
+          nb::rv_policy::automatic, "int64 of shape (n,): the segment of each.")
+      .def_prop_ro(
+          "positions",
+          [](const MapPoints& points) {
+            return MoveToArray<Points3>(points.positions, {points.ids.size(), 3});
+          },
+          nb::rv_policy::automatic, "float64 of shape (n, 3), in the world of the segment.")
+      .def("__len__", [](const MapPoints& points) { return points.ids.size(); });
+}
+
+void BindPoseGraph(nb::module_& module) {
+  nb::class_<PoseGraphVertex>(module, "PoseGraphVertex", "A keyframe of a pose graph.")
+      .def_ro("keyframe", &PoseGraphVertex::keyframe, "Id of the keyframe.")
+      .def_ro("frame", &PoseGraphVertex::frame, "Index of its input frame.")
+      .def_ro("segment", &PoseGraphVertex::segment, "Index of its segment.")
+      .def_prop_ro(
+          "world_from_camera",
+          [](const PoseGraphVertex& vertex) { return vertex.world_from_camera.matrix(); },
+          "float64 of shape (4, 4).");
+  nb::class_<PoseGraphEdge>(module, "PoseGraphEdge",
+                            "The pose of a keyframe relative to an earlier one of its segment.")
+      .def_ro("first", &PoseGraphEdge::first, "Id of the earlier keyframe.")
+      .def_ro("second", &PoseGraphEdge::second, "Id of the later keyframe.")
+      .def_prop_ro(
+          "first_from_second",
+          [](const PoseGraphEdge& edge) { return edge.first_from_second.matrix(); },
+          "float64 of shape (4, 4).")
+      .def_ro(
+          "covariance", &PoseGraphEdge::covariance,
+          "float64 of shape (7, 7): covariance of [u w l], where l is the logarithm of the unit "
+          "of length at the second keyframe in that at the first.");
+  nb::class_<PoseGraph>(module, "PoseGraph",
+                        "The keyframes of a sequence and how well their relative poses are known.")
+      .def_ro("vertices", &PoseGraph::vertices, "In ascending order of keyframes.")
+      .def_ro("edges", &PoseGraph::edges, "In ascending order of `second`, then `first`.")
+      .def(
+          "to_g2o",
+          [](const PoseGraph& graph, bool with_scale) {
+            return ToG2o(graph, with_scale ? G2oForm::kSim3 : G2oForm::kSe3);
+          },
+          nb::arg("with_scale") = false,
+          "The text of a g2o file: the pose_graph.g2o, or pose_graph_sim3.g2o, of the command.");
+}
+
+/// Reads a file in TUM's format as timestamps and poses.
+std::pair<Ids, Poses> ReadTrajectory(const std::filesystem::path& file) {
+  std::vector<std::int64_t> times;
+  std::vector<double> matrices;
+  for (const TimedPose& pose : ReadTum(file)) {
+    times.push_back(pose.time_ns);
+    AppendMatrix(pose.world_from_camera, matrices);
+  }
+  const std::size_t count = times.size();
+  return {MoveToArray<Ids>(std::move(times), {count}),
+          MoveToArray<Poses>(std::move(matrices), {count, 4, 4})};
+}
+
 }  // namespace
 
 void BindResults(nb::module_& module) {
   BindRelativePose(module);
   BindFrameResult(module);
   BindTrajectory(module);
+  BindMapPoints(module);
+  BindPoseGraph(module);
+  module.def("read_tum", &ReadTrajectory, nb::arg("file"),
+             R"(Reads a trajectory in TUM's format.
+
+Returns:
+    The timestamps, int64 of shape (n,), ns, and the poses, float64 of shape (n, 4, 4).
+
+Raises:
+    Error: The file cannot be read, or a line is not a pose; the message names it.)");
 }
 
 }  // namespace corvo::python

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""A rendered sequence, its images as arrays, and what the command makes of it."""
+
+import os
+import subprocess
+import sys
+from decimal import Decimal
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+
+import corvo
+
+NUM_FRAMES = 80
+
+
+class Sequence(NamedTuple):
+    folder: Path
+    camera: corvo.Camera
+    images: list[NDArray[np.uint8]]
+    timestamps_ns: list[int]
+
+    def process(self, odometry: corvo.Odometry) -> list[corvo.ProcessedFrame]:
+        return [odometry.process(*frame) for frame in zip(self.images, self.timestamps_ns)]
+
+
+def command(*arguments: object) -> list[str]:
+    """The command line of the command: that of CORVO_COMMAND, or the package's own."""
+    program = os.environ.get("CORVO_COMMAND")
+    start = [program] if program else [sys.executable, "-m", "corvo"]
+    return start + [str(argument) for argument in arguments]
+
+
+@pytest.fixture(scope="session")
+def room(tmp_path_factory: pytest.TempPathFactory) -> Sequence:
+    folder = tmp_path_factory.mktemp("synthetic") / "room"
+    subprocess.run(command("synth", "room", "--frames", NUM_FRAMES, "-o", folder), check=True)
+    rows = [line.split() for line in (folder / "rgb.txt").read_text().splitlines()]
+    rows = [row for row in rows if row[0] != "#"]
+    return Sequence(
+        folder,
+        corvo.Camera.load(folder / "camera.yaml"),
+        [np.asarray(Image.open(folder / name)) for _, name in rows],
+        [int(Decimal(seconds) * 10**9) for seconds, _ in rows],
+    )
+
+
+@pytest.fixture(scope="session")
+def command_result(room: Sequence, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The result folder of the command for the rendered sequence."""
+    folder = tmp_path_factory.mktemp("command") / "result"
+    camera = room.folder / "camera.yaml"
+    subprocess.run(
+        command("run", room.folder, "--camera", camera, "-o", folder, "--quiet"), check=True
+    )
+    return folder
+
+
+@pytest.fixture(scope="session")
+def data() -> Path:
+    """The folder of real images; without it, tests are skipped, or fail in continuous integration."""
+    folder = os.environ.get("CORVO_DATA")
+    if folder and Path(folder).is_dir():
+        return Path(folder)
+    if os.environ.get("CI"):
+        pytest.fail("CORVO_DATA names no folder of real images")
+    pytest.skip("CORVO_DATA names no folder of real images")
