@@ -52,10 +52,10 @@ class LiveView:
         return trajectory
 
     def _add_landmarks(self) -> None:
-        ids, positions = self._odometry.landmarks_from(self._next_landmark)
-        if len(ids) > 0:
-            self._next_landmark = int(ids.max()) + 1
-            self._sink.landmarks(positions)
+        created = self._odometry.landmarks_from(self._next_landmark)
+        if len(created.ids) > 0:
+            self._next_landmark = int(created.ids.max()) + 1
+            self._sink.landmarks(created.positions)
 
     def _add_camera(self) -> None:
         camera = self._odometry.camera
