@@ -60,10 +60,6 @@ class Recorder:
         self._position = np.zeros(3)
         self._has_frustum = False
         self._states: dict[str, str] = {}
-        self.num_images = 0
-        """Number of images that were logged."""
-        self.num_path_points = 0
-        """Number of points of all pieces of the path, those that were logged anew included."""
         self._log_styles()
 
     def frame(
@@ -141,10 +137,8 @@ class Recorder:
         log("state", states, static=True)
 
     def _log_image(self, image: NDArray[np.uint8] | None, mask: NDArray[np.uint8] | None) -> None:
-        if image is None:
-            return
-        self._stream.log("world/camera/image", images.encode(image, mask, self._reduction))
-        self.num_images += 1
+        if image is not None:
+            self._stream.log("world/camera/image", images.encode(image, mask, self._reduction))
 
     def _log_tracks(self, frame: Frame) -> None:
         ages = self._ages.add(frame.index, frame.landmarks)
@@ -189,7 +183,6 @@ class Recorder:
     def _log_strip(
         self, entity: str, positions: NDArray[np.float64], color: tuple[int, int, int]
     ) -> None:
-        self.num_path_points += len(positions)
         self._stream.log(entity, rr.LineStrips3D([positions], colors=[color], radii=_THICK))
 
     def _log_series(self, frame: Frame, latency_ms: float | None) -> None:
