@@ -113,7 +113,8 @@ Raises:
           "The file of the ground truth, or an empty text.")
       .def_prop_ro("true_positions", &TruePositions, nb::rv_policy::automatic,
                    "float64 of shape (n, 3): the ground truth; n is 0 if there is none.")
-      .def("__iter__", [](nb::object self) { return self; })
+      .def(
+          "__iter__", [](nb::object self) { return self; }, nb::sig("def __iter__(self) -> Inputs"))
       .def("__next__", &NextImage,
            nb::sig("def __next__(self) -> tuple[int, numpy.typing.NDArray[numpy.uint8] | None, "
                    "numpy.typing.NDArray[numpy.uint8] | None]"));

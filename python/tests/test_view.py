@@ -45,9 +45,10 @@ class Recording:
                 self._batches.setdefault(chunk.entity_path, []).append(chunk.to_record_batch())
 
     def column(self, entity: str, name: str) -> list[Any]:
-        """The values of a column in all rows of an entity; None where a row has none."""
-        batches = self._batches.get(entity, [])
-        return [value for batch in batches for value in batch.column(name).to_pylist()]
+        """The values of a column in all rows of an entity that have it."""
+        batches = [batch for batch in self._batches.get(entity, []) if name in batch.schema.names]
+        values = [value for batch in batches for value in batch.column(name).to_pylist()]
+        return [value for value in values if value is not None]
 
     def frames(self, entity: str) -> list[int]:
         """The frames at which an entity is logged."""
@@ -58,7 +59,7 @@ class Recording:
             *self.column("/world/path", "LineStrips3D:strips"),
             *self.column("/world/current", "LineStrips3D:strips"),
         ]
-        return sum(len(strip) for row in strips for strip in row or [])
+        return sum(len(strip) for row in strips for strip in row)
 
 
 @dataclass(frozen=True)
@@ -200,7 +201,7 @@ def test_the_path_is_interrupted_where_no_frame_has_a_pose(tmp_path: Path) -> No
     frames[4] = replace(EMPTY, index=4, timestamp_ns=4, segment=0)
     recording = record(tmp_path / "gap.rrd", frames)
     strips = recording.column("/world/path", "LineStrips3D:strips")
-    assert [[point[0] for point in row[0]] for row in strips] == [[0], [0, 1, 2, 3], [5, 6, 7, 8, 9]]
+    assert [[point[0] for point in row[0]] for row in strips] == [[0, 1, 2, 3], [5, 6, 7, 8, 9]]
 
 
 class SlowRecorder:

@@ -38,8 +38,11 @@ def _scene() -> rrb.Spatial3DView:
             for timeline in ("frame", "time")
         ]
     )
-    overrides = {entity: [until_now] for entity in _ACCUMULATED}
-    return rrb.Spatial3DView(name="Scene", origin="world", overrides=overrides)
+    return rrb.Spatial3DView(
+        name="Scene",
+        origin="world",
+        overrides={entity: until_now for entity in _ACCUMULATED},
+    )
 
 
 def _states() -> rrb.StateTimelineView:

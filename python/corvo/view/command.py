@@ -9,7 +9,7 @@ from pathlib import Path
 import rerun as rr
 
 import corvo
-from corvo import _corvo
+from corvo._corvo import Inputs
 from corvo.view.live import LiveView
 from corvo.view.recorder import Intrinsics, Recorder
 from corvo.view.result import Result, align_truth, record_result
@@ -64,7 +64,7 @@ def _view(given: str, file: Path | None, options: list[str]) -> None:
     is_result = (Path(given) / "frames.csv").is_file()
     if is_result and options:
         raise corvo.Error(f"{options[0]}: a result takes no option but --save")
-    source = Result(Path(given)) if is_result else _corvo.Inputs([given, *options])
+    source = Result(Path(given)) if is_result else Inputs([given, *options])
     stream = make_stream()
     if file is None:
         show(stream)
@@ -77,7 +77,7 @@ def _view(given: str, file: Path | None, options: list[str]) -> None:
     stream.disconnect()
 
 
-def _run(inputs: _corvo.Inputs, stream: rr.RecordingStream) -> None:
+def _run(inputs: Inputs, stream: rr.RecordingStream) -> None:
     """Runs the odometry and shows it. Ctrl-C ends the sequence."""
     odometry = inputs.odometry()
     recorder = Recorder(stream, Intrinsics.of(inputs.camera))
@@ -96,7 +96,7 @@ def _run(inputs: _corvo.Inputs, stream: rr.RecordingStream) -> None:
         print(f"corvo: {sink.num_dropped} of {total} images were not shown", file=sys.stderr)
 
 
-def _process_images(inputs: _corvo.Inputs, odometry: corvo.Odometry, live: LiveView) -> None:
+def _process_images(inputs: Inputs, odometry: corvo.Odometry, live: LiveView) -> None:
     for timestamp_ns, image, mask in inputs:
         start = time.perf_counter()
         if image is None:

@@ -184,7 +184,7 @@ def align_truth(
     offsets = positions - truth_from_estimate["translation"]
     turns = 2 * np.cross([-x, -y, -z], offsets)
     rotated: NDArray[np.float64] = offsets + w * turns + np.cross([-x, -y, -z], turns)
-    return rotated / truth_from_estimate["scale"]
+    return rotated / float(truth_from_estimate["scale"])
 
 
 def _nanoseconds(seconds: str) -> int:
@@ -210,7 +210,8 @@ def _read_map(file: Path) -> NDArray[Any]:
 def _read_image(file: Path, size: tuple[int, int]) -> NDArray[np.uint8]:
     """Reads an image as 8-bit gray or RGB, of the size (width, height) that the run used. The gray
     levels of 16-bit images are spread to the range of 8 bits."""
-    with Image.open(file) as image:
+    with Image.open(file) as stored:
+        image: Image.Image = stored
         if image.mode.startswith(("I", "F")):
             levels = np.asarray(image, float)
             image = Image.fromarray((255 / max(levels.max(), 1) * levels).astype(np.uint8))
