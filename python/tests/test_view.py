@@ -3,6 +3,7 @@
 
 import csv
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -299,12 +300,16 @@ def start_viewer(environment: dict[str, str], home: Path) -> list[str]:
         environment.pop(name, None)
     command = [sys.executable, "-m", "rerun", "--serve-grpc", "--bind", "127.0.0.1"]
     with subprocess.Popen(
-        [*command, "--port", "0"], env=environment, stderr=subprocess.PIPE, text=True
+        [*command, "--port", "0"],
+        env=environment,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     ) as viewer:
         assert viewer.stderr is not None
         assert any("Listening for gRPC" in line for line in viewer.stderr)
         time.sleep(0.5)
-        viewer.terminate()
+        os.killpg(viewer.pid, signal.SIGTERM)  # With the process that the module starts.
     return sorted(path.name for path in home.rglob("analytics*"))
 
 
