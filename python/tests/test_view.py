@@ -285,6 +285,18 @@ def test_a_result_takes_no_options_of_a_run(command_result: Path, tmp_path: Path
     assert process.stderr == "corvo: error: --every: a result takes no option but --save\n"
 
 
+def test_without_a_display_the_error_names_the_option(command_result: Path) -> None:
+    environment = {name: value for name, value in os.environ.items() if "DISPLAY" not in name}
+    process = subprocess.run(
+        [sys.executable, "-m", "corvo", "view", command_result],
+        capture_output=True,
+        text=True,
+        env=environment,
+    )
+    assert process.returncode == 1
+    assert process.stderr.endswith("write a recording with --save FILE\n")
+
+
 def test_without_rerun_the_error_names_the_extra() -> None:
     program = "import sys; sys.modules['rerun'] = None; sys.argv[1:] = ['view', 'x']\n"
     program += "from corvo.__main__ import main; sys.exit(main())"

@@ -120,12 +120,18 @@ class Recorder:
         Args:
             paths: The final path of each segment, shape (n, 3), where later adjustments have
                 changed it; it is shown beside the path as it was found.
+
+        Raises:
+            Error: The viewer was closed, or the file cannot be written.
         """
         self._log_piece(self._path.finish())
         self._stream.log("world/current", rr.Clear(recursive=False))
         for segment, positions in (paths or {}).items():
             self._log_strip(f"world/final/{segment}", positions, colors.segment_color(segment))
-        self._stream.flush()
+        try:
+            self._stream.flush()
+        except RuntimeError as error:
+            raise corvo.Error(f"the recording is not complete: {error}") from error
 
     def _log_styles(self) -> None:
         log = self._stream.log
