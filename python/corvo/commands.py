@@ -7,11 +7,11 @@ from pathlib import Path
 
 from corvo import _corvo
 
-Option = bool | int | float | str | PathLike[str]
+Option = bool | int | float | str | PathLike[str] | None
 
 
 def option_arguments(options: dict[str, Option]) -> list[str]:
-    """Returns the arguments of options that are given as keywords: frame_rate=30 is --frame-rate 30.
+    """Returns the arguments of options that are given as keywords: max_dt=0.1 is --max-dt 0.1.
 
     True stands for a flag; an option that is None or False is left out.
     """

@@ -29,7 +29,7 @@ def evaluate(
         max_dt_s: Largest time between poses that are compared, s; half a frame if left out.
 
     Returns:
-        The measures by the names of `corvo eval --json`: ate, rpe, drift and others.
+        The measures by the names of `corvo eval --json`: ate, rpe_frames, scale_drift and others.
 
     Raises:
         Error: A file cannot be read, or the trajectories cannot be compared.
@@ -41,4 +41,7 @@ def evaluate(
             file = Path(folder) / "trajectory.tum"
             estimate.write_tum(file)
             estimate = file
-        return json.loads(_corvo._evaluate(estimate, truth, align, max_dt_s))
+        measures: dict[str, Any] = json.loads(
+            _corvo._evaluate(estimate, truth, align, max_dt_s)
+        )
+        return measures

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
 def to_frame(csv: str) -> "pandas.DataFrame":
     """Returns a table of frames, the text of a frames.csv, as a pandas.DataFrame."""
-    return _module("pandas").read_csv(io.StringIO(csv))
+    frame: pandas.DataFrame = _module("pandas").read_csv(io.StringIO(csv))
+    return frame
 
 
 def to_arrow(csv: str) -> "pyarrow.Table":

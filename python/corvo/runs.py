@@ -23,14 +23,19 @@ if TYPE_CHECKING:
 class Result:
     """The result folder of a run. A temporary one is removed with this object."""
 
-    def __init__(self, folder: str | PathLike[str], temporary: TemporaryDirectory[str] | None = None):
+    def __init__(
+        self, folder: str | PathLike[str], temporary: TemporaryDirectory[str] | None = None
+    ) -> None:
         self.folder = Path(folder)
         self._temporary = temporary
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """The content of summary.json: outcome, counts, camera and, given ground truth, accuracy."""
-        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        """The content of summary.json: outcome, counts, camera, and accuracy given ground truth."""
+        summary: dict[str, Any] = json.loads(
+            (self.folder / "summary.json").read_text(encoding="utf-8")
+        )
+        return summary
 
     @property
     def timestamps_ns(self) -> NDArray[np.int64]:
@@ -48,11 +53,19 @@ class Result:
         return Camera.load(self.folder / "camera_estimated.yaml")
 
     def to_frame(self) -> "pandas.DataFrame":
-        """Returns frames.csv as a pandas.DataFrame: a row for each frame. Raises Error without pandas."""
+        """Returns frames.csv, a row for each frame, as a pandas.DataFrame.
+
+        Raises:
+            Error: pandas is not installed.
+        """
         return frames.to_frame(self._frames_csv)
 
     def to_arrow(self) -> "pyarrow.Table":
-        """Returns frames.csv as a pyarrow.Table. Raises Error without pyarrow."""
+        """Returns frames.csv as a pyarrow.Table.
+
+        Raises:
+            Error: pyarrow is not installed.
+        """
         return frames.to_arrow(self._frames_csv)
 
     @cached_property
@@ -77,7 +90,7 @@ def run(
     Args:
         input: A dataset, a folder or pattern of images, or a video, which needs corvo[video].
         output: The folder for the results; a temporary one if left out.
-        camera: A camera, or what --camera takes: a calibration file or the name of a shipped camera.
+        camera: A camera, or what --camera takes: a calibration file or a shipped camera's name.
         config: Options, or an options file.
         options: Any other option of `corvo run`, with _ for -: focal="auto", refine=True, every=2.
 
@@ -86,16 +99,18 @@ def run(
     Raises:
         Error: An argument or the input is invalid, or the run ended early.
     """
-    temporary = TemporaryDirectory(prefix="corvo_") if output is None else None
-    folder = Path(temporary.name) / "result" if temporary else Path(output)
+    temporary = None
+    if output is None:
+        temporary = TemporaryDirectory(prefix="corvo_")
+        output = Path(temporary.name) / "result"
     with TemporaryDirectory(prefix="corvo_") as inputs:
         if isinstance(camera, Camera):
             camera = write_text(Path(inputs), "camera.yaml", camera)
         if isinstance(config, Options):
             config = write_text(Path(inputs), "config.yaml", config)
         given = option_arguments({"camera": camera, "config": config, **options})
-        execute(["run", str(input), "--output", str(folder), *given])
-    return Result(folder, temporary)
+        execute(["run", str(input), "--output", str(output), *given])
+    return Result(output, temporary)
 
 
 def export(

@@ -147,9 +147,12 @@ Returns:
 Returns:
     float64 of shape (n, 2); NaN for pixels outside the domain of the model.)")
       .def("__str__", &WriteCameraFile, "The text of a camera file.")
-      .def("__eq__", [](const CameraFile& self, const CameraFile& other) {
-        return WriteCameraFile(self) == WriteCameraFile(other);
-      });
+      .def(
+          "__eq__",
+          [](const CameraFile& self, const CameraFile& other) {
+            return WriteCameraFile(self) == WriteCameraFile(other);
+          },
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   module.def("shipped_cameras", nb::overload_cast<>(&ShippedCameraNames),
              "The names of the cameras that are shipped with corvo.");
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The codecs of the package: images by OpenCV's imgcodecs, videos by the Python package of OpenCV,
 // cv2, if it is installed.
+#include <cstdint>
 #include <cstring>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
 
 #include "apps/codecs/image_codecs.h"
 #include "apps/codecs/orientation.h"

@@ -62,7 +62,7 @@ def command_result(room: Sequence, tmp_path_factory: pytest.TempPathFactory) -> 
 
 @pytest.fixture(scope="session")
 def data() -> Path:
-    """The folder of real images; without it, tests are skipped, or fail in continuous integration."""
+    """The folder of real images; tests are skipped without it, or fail if CI is set."""
     folder = os.environ.get("CORVO_DATA")
     if folder and Path(folder).is_dir():
         return Path(folder)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -8,7 +7,6 @@ import threading
 import time
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import Sequence, command
 
@@ -57,7 +55,7 @@ def test_results_become_tables(room: Sequence) -> None:
 
 
 def test_errors_are_those_of_the_command(room: Sequence, tmp_path: Path) -> None:
-    with pytest.raises(corvo.Error, match="none: there is no such file or folder|none"):
+    with pytest.raises(corvo.Error, match="none: "):
         corvo.run(tmp_path / "none")
     with pytest.raises(corvo.Error, match="--no-such-option"):
         corvo.run(room.folder, no_such_option=1)
@@ -97,7 +95,9 @@ def test_a_camera_is_calibrated(room: Sequence) -> None:
     assert camera.sigma
 
 
-def test_nothing_is_printed(room: Sequence, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_nothing_is_printed(
+    room: Sequence, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     result = corvo.run(room.folder, camera=room.camera, count=30)
     corvo.export(result, to="colmap", output=tmp_path / "model")
     assert capfd.readouterr() == ("", "")

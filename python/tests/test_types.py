@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -30,6 +31,18 @@ def test_the_package_is_typed(tmp_path: Path) -> None:
     assert lines[0].endswith('Revealed type is "str"'), checked.stdout
     assert "[arg-type]" in lines[1]
     assert lines[-1].startswith("Found 1 error in 1 file")
+
+
+def test_the_package_passes_the_type_check(tmp_path: Path) -> None:
+    settings = Path(__file__).parents[2] / "pyproject.toml"
+    options = ["--config-file", str(settings), "--cache-dir", str(tmp_path)]
+    checked = subprocess.run(
+        [sys.executable, "-m", "mypy", *options, "-p", "corvo"],
+        env={**os.environ, "MYPYPATH": str(Path(corvo.__file__).parents[1])},
+        capture_output=True,
+        text=True,
+    )
+    assert checked.returncode == 0, checked.stdout
 
 
 def test_everything_public_has_a_docstring() -> None:
