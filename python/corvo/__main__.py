@@ -7,7 +7,21 @@ from corvo import _corvo
 
 
 def main() -> int:
-    return _corvo._main(sys.argv[1:])
+    arguments = sys.argv[1:]
+    if arguments[:1] == ["view"]:
+        return _view(arguments[1:])
+    if arguments in ([], ["--help"], ["-h"]):
+        print("'corvo view RESULT|INPUT' shows a run in Rerun; see 'corvo view --help'.\n")
+    return _corvo._main(arguments)
+
+
+def _view(arguments: list[str]) -> int:
+    try:
+        from corvo.view.command import main
+    except ModuleNotFoundError as error:
+        print(f"corvo: error: {error.name} is not installed: pip install corvo[view]", file=sys.stderr)
+        return 1
+    return main(arguments)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ void BindBags(nanobind::module_& module);
 void BindCamera(nanobind::module_& module);
 void BindCommand(nanobind::module_& module);
 void BindGeometry(nanobind::module_& module);
+void BindInputs(nanobind::module_& module);
 void BindOdometry(nanobind::module_& module);
 void BindOffline(nanobind::module_& module);
 void BindOptions(nanobind::module_& module);

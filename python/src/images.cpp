@@ -2,10 +2,12 @@
 #include "python/src/images.h"
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 #include <opencv2/imgproc.hpp>
 
+#include "python/src/arrays.h"
 #include "python/src/byte_arrays.h"
 
 namespace corvo::python {
@@ -69,6 +71,18 @@ cv::Mat ToMask(nb::handle mask) {
                     "(height, width), with sides of 1 to 100000");
   }
   return ToMat(mask, array, CV_8UC1, "mask").clone();
+}
+
+nb::object ToArray(const cv::Mat& image) {
+  if (image.empty()) return nb::none();
+  auto owned = std::make_unique<cv::Mat>(image);
+  auto* const pixels = owned->data;
+  const auto rows = static_cast<std::size_t>(image.rows);
+  const auto columns = static_cast<std::size_t>(image.cols);
+  const auto step = static_cast<std::int64_t>(image.step);
+  const nb::capsule owner(owned.release(),
+                          [](void* kept) noexcept { delete static_cast<cv::Mat*>(kept); });
+  return nb::cast(NumpyArray<std::uint8_t, -1, -1>(pixels, {rows, columns}, owner, {step, 1}));
 }
 
 }  // namespace corvo::python

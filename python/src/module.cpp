@@ -18,5 +18,6 @@ NB_MODULE(_corvo, module) {
   BindOrb(module);
   BindGeometry(module);
   BindOffline(module);
+  BindInputs(module);
   BindCommand(module);
 }

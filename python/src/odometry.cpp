@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,9 +47,9 @@ ProcessedFrame Process(SharedOdometry& shared, nb::handle image, TimeNs timestam
   });
 }
 
-FrameResult ProcessMissing(SharedOdometry& shared, TimeNs timestamp_ns) {
+ProcessedFrame ProcessMissing(SharedOdometry& shared, TimeNs timestamp_ns) {
   return shared.Run([&](Odometry& odometry) {
-    return odometry.ProcessMissing(timestamp_ns, Reason::kUnreadableImage);
+    return ProcessedFrame{odometry.ProcessMissing(timestamp_ns, Reason::kUnreadableImage), {}, {}};
   });
 }
 
@@ -64,6 +65,23 @@ CameraFile EstimatedCamera(SharedOdometry& shared) {
 MapPoints Landmarks(SharedOdometry& shared) {
   return ToMapPoints(shared.Run(
       [&](Odometry& odometry) { return CollectPoints(shared.marginalized(), odometry.map()); }));
+}
+
+/// Returns the landmarks whose ids are at least `first`.
+MapPoints LandmarksFrom(SharedOdometry& shared, LandmarkId first) {
+  return ToMapPoints(shared.Run([&](Odometry& odometry) {
+    std::vector<MapPoint> points;
+    for (LandmarkId id = std::max(first, 0); id < odometry.map().num_landmark_ids(); ++id) {
+      const Landmark* const landmark = odometry.map().FindLandmark(id);
+      if (landmark != nullptr) points.push_back({id, landmark->segment, landmark->in_world});
+    }
+    return points;
+  }));
+}
+
+/// Returns the mask of the last image, or None.
+nb::object UsedMask(SharedOdometry& shared) {
+  return ToArray(shared.Run([](Odometry& odometry) { return odometry.last_mask().clone(); }));
 }
 
 void BindProcessedFrame(nb::module_& module) {
@@ -147,6 +165,14 @@ Raises:
           },
           "The keyframes as they are known now, and how well their relative poses are known.")
       .def("landmarks", &Landmarks, "The sparse map as it is known now.")
+      .def("landmarks_from", &LandmarksFrom, nb::arg("first"),
+           "Those landmarks of active keyframes whose ids are `first` or larger: ids ascend in the "
+           "order of creation.")
+      .def_prop_ro("used_mask", &UsedMask,
+                   nb::sig("def used_mask(self) -> numpy.typing.NDArray[numpy.uint8] | None"),
+                   "uint8 of shape (height, width): the last image was searched for features where "
+                   "it is not 0; None if everywhere. It is the given mask, less what moves with "
+                   "the camera.")
       .def_prop_ro("camera", &EstimatedCamera,
                    "The camera as it is estimated now, with standard deviations.")
       .def(

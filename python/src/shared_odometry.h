@@ -21,7 +21,10 @@ class SharedOdometry {
   /// Records all observations, in a temporary file, if `records` is set.
   SharedOdometry(const CameraFile& camera, const OdometryOptions& options, int threads,
                  bool records)
-      : odometry_(camera.Prior(options.calibration), options, threads) {
+      : SharedOdometry(camera.Prior(options.calibration), options, threads, records) {}
+  SharedOdometry(const CameraPrior& camera, const OdometryOptions& options, int threads,
+                 bool records)
+      : odometry_(camera, options, threads) {
     odometry_.SetLandmarkCallback(
         [this](const MarginalizedLandmark& landmark) { marginalized_.Add(landmark); });
     if (!records) return;

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The command `corvo view`."""
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import rerun as rr
+
+import corvo
+from corvo._corvo import Inputs
+from corvo.view.live import LiveView
+from corvo.view.recorder import Intrinsics, Recorder
+from corvo.view.result import Result, align_truth, record_result
+from corvo.view.sink import Sink
+from corvo.view.viewer import make_stream, save_to, show
+
+_DESCRIPTION = """\
+Show a finished run, or an odometry while it works, in Rerun: images with their tracks, the path,
+landmarks, uncertainties, the state, and the estimated camera."""
+
+_EPILOG = """\
+An INPUT takes the options of 'corvo run' that say what is read and how: --camera, --focal, --fov,
+--fps, --times, --bits, --start, --every, --count, --resize, --mask, --strict, --gt, --config,
+--threads.
+
+Examples:
+  corvo view result/03                                # a finished run
+  corvo view drive.mp4 --focal auto                   # an odometry while it works
+  corvo view dataset/sequences/03 --save drive.rrd    # a recording, for 'rerun drive.rrd'"""
+
+
+def main(arguments: list[str]) -> int:
+    """Executes the command and returns its exit code."""
+    known, options = _make_parser().parse_known_args(arguments)
+    try:
+        _view(known.input, known.save, options)
+    except corvo.Error as error:
+        print(f"corvo: error: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _make_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="corvo view",
+        usage="corvo view RESULT|INPUT [--save FILE] [OPTIONS]",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument(
+        "input", metavar="RESULT|INPUT", help="the folder of a result, or what 'corvo run' reads"
+    )
+    parser.add_argument(
+        "--save", type=Path, metavar="FILE", help="write a recording (.rrd), and open no viewer"
+    )
+    return parser
+
+
+def _view(given: str, file: Path | None, options: list[str]) -> None:
+    is_result = (Path(given) / "frames.csv").is_file()
+    if is_result and options:
+        raise corvo.Error(f"{options[0]}: a result takes no option but --save")
+    source = Result(Path(given)) if is_result else Inputs([given, *options])
+    stream = make_stream()
+    if file is None:
+        show(stream)
+    else:
+        save_to(stream, file)
+    if isinstance(source, Result):
+        record_result(source, Recorder(stream, source.intrinsics))
+    else:
+        _run(source, stream)
+    stream.disconnect()
+
+
+def _run(inputs: Inputs, stream: rr.RecordingStream) -> None:
+    """Runs the odometry and shows it. Ctrl-C ends the sequence."""
+    odometry = inputs.odometry()
+    recorder = Recorder(stream, Intrinsics.of(inputs.camera))
+    with Sink(recorder) as sink:
+        live = LiveView(odometry, sink)
+        try:
+            _process_images(inputs, odometry, live)
+        except KeyboardInterrupt:
+            print("corvo: interrupted; what was found is shown", file=sys.stderr)
+        trajectory = live.finish()
+        if inputs.truth_file and trajectory.posed_share > 0:
+            evaluation = corvo.evaluate(trajectory, inputs.truth_file)
+            sink.truth(align_truth(inputs.true_positions, evaluation["truth_from_estimate"]))
+    if sink.num_dropped > 0:
+        total = len(trajectory)
+        print(f"corvo: {sink.num_dropped} of {total} images were not shown", file=sys.stderr)
+
+
+def _process_images(inputs: Inputs, odometry: corvo.Odometry, live: LiveView) -> None:
+    for timestamp_ns, image, mask in inputs:
+        start = time.perf_counter()
+        if image is None:
+            frame = odometry.process_missing(timestamp_ns)
+        else:
+            frame = odometry.process(image, timestamp_ns, mask)
+        live.add(frame, image, 1e3 * (time.perf_counter() - start))
