@@ -13,7 +13,6 @@ namespace corvo::synthetic {
 namespace {
 
 constexpr double kLength = 6, kWidth = 5, kHeight = 3;  ///< Along x, y, z; the floor's center is 0.
-constexpr double kFrameRateHz = 30;
 constexpr double kLoopSeconds = 10;
 
 CameraParameters RoomCamera() {
@@ -155,6 +154,7 @@ Viewpoint TurnAt(double seconds) {
 }
 
 Sequence MakeInRoom(const char* name, Viewpoint (*motion)(double), const SequenceOptions& options) {
+  constexpr double kFrameRateHz = 30;
   const Camera camera = ChooseCamera(RoomCamera(), options);
   std::vector<SE3> poses;
   for (int i = 0; i < options.frames; ++i)
