@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,15 +31,23 @@ bool IsBagFolder(const fs::path& folder) {
   return text.find("rosbag2_bagfile_information") != std::string::npos;
 }
 
-/// Returns a function that returns images with ascending indices, by reading the bag once more.
-std::function<cv::Mat(int)> OpenAgain(const fs::path& bag, const std::string& topic) {
-  std::shared_ptr<BagInput> input;
-  return [=, index = -1](int wanted) mutable {
-    if (!input) input = GetCodecs().OpenBag(bag.string(), topic);
-    while (index < wanted && input->Grab()) ++index;
-    return RosImageToGray(input->Retrieve(), bag.string());
-  };
-}
+/// Reads a bag once more, image by image.
+class SecondReading {
+ public:
+  SecondReading(const fs::path& bag, const std::string& topic)
+      : name_(bag.string()), input_(GetCodecs().OpenBag(name_, topic)) {}
+
+  /// Returns the image with an index, which is at least the one before.
+  cv::Mat Image(int wanted) {
+    while (index_ < wanted && input_->Grab()) ++index_;
+    return RosImageToGray(input_->Retrieve(), name_);
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<BagInput> input_;
+  int index_ = -1;
+};
 
 class BagReader : public ImageReader {
  public:
@@ -48,7 +55,12 @@ class BagReader : public ImageReader {
       : input_(std::move(input)),
         name_(bag.string()),
         frame_rate_hz_(options.frame_rate_hz),
-        levels_({name_, input_->num_images(), OpenAgain(bag, options.topic)}, options.bits) {
+        levels_({name_, input_->num_images(),
+                 [this, bag, topic = options.topic](int index) {
+                   if (!again_) again_.emplace(bag, topic);
+                   return again_->Image(index);
+                 }},
+                options.bits) {
     frames_.num_promised = input_->num_images();
   }
 
@@ -80,6 +92,7 @@ class BagReader : public ImageReader {
   std::unique_ptr<BagInput> input_;
   std::string name_;
   std::optional<double> frame_rate_hz_;
+  std::optional<SecondReading> again_;  ///< Opened for the levels of 16-bit images.
   SequenceLevels levels_;
   VideoFrames frames_;
 };
