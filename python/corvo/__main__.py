@@ -4,6 +4,7 @@
 import sys
 
 from corvo import _corvo
+from corvo.commands import report
 
 
 def main() -> int:
@@ -19,8 +20,7 @@ def _view(arguments: list[str]) -> int:
     try:
         from corvo.view.command import main
     except ModuleNotFoundError as error:
-        print(f"corvo: error: {error.name} is not installed: pip install corvo[view]", file=sys.stderr)
-        return 1
+        return report(_corvo.Error(f"{error.name} is not installed: pip install corvo[view]"))
     return main(arguments)
 
 

@@ -2,6 +2,7 @@
 """Commands that are executed in this process."""
 
 import signal
+import sys
 from os import PathLike
 from pathlib import Path
 
@@ -39,6 +40,12 @@ def execute(arguments: list[str]) -> int:
     if message:
         raise _corvo.Error(message)
     return exit_code
+
+
+def report(error: _corvo.Error) -> int:
+    """Prints an error as the command does, and returns the exit code of a bad input."""
+    print(f"corvo: error: {error}", file=sys.stderr)
+    return 1
 
 
 def write_text(folder: Path, name: str, value: object) -> Path:

@@ -14,6 +14,7 @@ from typing import Any
 
 from corvo._corvo import Error
 from corvo.bags import missing_rosbags
+from corvo.commands import report
 from corvo.result_poses import ResultPose, read_poses
 from corvo.runs import Result
 
@@ -107,8 +108,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         write_poses(given.result, given.output, given.topic)
     except Error as error:
-        print(f"corvo: error: {error}", file=sys.stderr)
-        return 1
+        return report(error)
     return 0
 
 

@@ -19,6 +19,7 @@ from decimal import Decimal
 from pathlib import Path
 
 from corvo import Error, run
+from corvo.commands import report
 from corvo.result_poses import ResultPose, largest_segment, read_poses
 
 _HEADER = ("ts (ns)", "tx (m)", "ty (m)", "tz (m)", "qx", "qy", "qz", "qw")
@@ -97,8 +98,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             given.sequence_path, given.rgb_csv, given.calibration_yaml, given.settings_yaml
         )
     except Error as error:
-        print(f"corvo: error: {error}", file=sys.stderr)
-        return 1
+        return report(error)
     write_trajectory(poses, given.exp_folder / f"{given.exp_id:05}_KeyFrameTrajectory.csv")
     return 0
 

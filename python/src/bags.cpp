@@ -11,8 +11,8 @@
 
 #include "apps/dataset/ros_image.h"
 #include "orb/error.h"
-#include "python/src/arrays.h"
 #include "python/src/bindings.h"
+#include "python/src/images.h"
 
 namespace corvo::python {
 namespace {
@@ -87,25 +87,12 @@ class PythonBag : public BagInput {
   nb::object bag_, messages_, message_;
 };
 
-/// Returns an array of shape (height, width) that shares the pixels of an image.
-template <typename Pixel>
-nb::object ToArray(const cv::Mat& image) {
-  auto owned = std::make_unique<cv::Mat>(image);
-  auto* const pixels = owned->ptr<Pixel>();
-  const nb::capsule owner(owned.release(),
-                          [](void* kept) noexcept { delete static_cast<cv::Mat*>(kept); });
-  const auto height = static_cast<std::size_t>(image.rows);
-  return NumpyArray<Pixel, -1, -1>(pixels, {height, static_cast<std::size_t>(image.cols)}, owner)
-      .cast();
-}
-
 nb::object MessageToGray(nb::handle message, const std::string& name) {
   const BagImage image = ToBagImage(message);
-  const cv::Mat gray = [&] {
+  return ToArray([&] {
     const nb::gil_scoped_release release;
     return RosImageToGray(image, name);
-  }();
-  return gray.depth() == CV_8U ? ToArray<std::uint8_t>(gray) : ToArray<std::uint16_t>(gray);
+  }());
 }
 
 }  // namespace

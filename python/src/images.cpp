@@ -47,6 +47,19 @@ cv::Mat ToMat(nb::handle object, const ByteArray& array, int type, std::string_v
   return cv::Mat(height, width, type, pixels, static_cast<std::size_t>(array.stride(0)));
 }
 
+/// Returns an array that shares the pixels of a gray image.
+template <typename Pixel>
+nb::object Share(const cv::Mat& image) {
+  auto owned = std::make_unique<cv::Mat>(image);
+  auto* const pixels = owned->ptr<Pixel>();
+  const auto rows = static_cast<std::size_t>(image.rows);
+  const auto columns = static_cast<std::size_t>(image.cols);
+  const auto step = static_cast<std::int64_t>(image.step1());
+  const nb::capsule owner(owned.release(),
+                          [](void* kept) noexcept { delete static_cast<cv::Mat*>(kept); });
+  return nb::cast(NumpyArray<Pixel, -1, -1>(pixels, {rows, columns}, owner, {step, 1}));
+}
+
 }  // namespace
 
 cv::Mat ToGrayImage(nb::handle image) {
@@ -75,14 +88,7 @@ cv::Mat ToMask(nb::handle mask) {
 
 nb::object ToArray(const cv::Mat& image) {
   if (image.empty()) return nb::none();
-  auto owned = std::make_unique<cv::Mat>(image);
-  auto* const pixels = owned->data;
-  const auto rows = static_cast<std::size_t>(image.rows);
-  const auto columns = static_cast<std::size_t>(image.cols);
-  const auto step = static_cast<std::int64_t>(image.step);
-  const nb::capsule owner(owned.release(),
-                          [](void* kept) noexcept { delete static_cast<cv::Mat*>(kept); });
-  return nb::cast(NumpyArray<std::uint8_t, -1, -1>(pixels, {rows, columns}, owner, {step, 1}));
+  return image.depth() == CV_8U ? Share<std::uint8_t>(image) : Share<std::uint16_t>(image);
 }
 
 }  // namespace corvo::python

@@ -16,8 +16,8 @@ cv::Mat ToGrayImage(nanobind::handle image);
 /// Throws corvo::Error as ToGrayImage() does.
 cv::Mat ToMask(nanobind::handle mask);
 
-/// Returns a uint8 array of shape (height, width) that shares the pixels of an 8-bit gray image, or
-/// None for an empty one.
+/// Returns a uint8 or uint16 array of shape (height, width) that shares the pixels of an 8- or
+/// 16-bit gray image, or None for an empty one.
 nanobind::object ToArray(const cv::Mat& image);
 
 }  // namespace corvo::python

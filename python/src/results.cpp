@@ -96,30 +96,29 @@ void BindFrameResult(nb::module_& module) {
       });
 }
 
-/// Returns the timestamps of a trajectory's posed frames, ns.
-Ids PosedTimes(const Trajectory& trajectory) {
+Ids TimesOf(const PoseSequence& poses) {
   std::vector<std::int64_t> times;
-  for (const TimedPose& pose : trajectory.PosedFrames()) times.push_back(pose.time_ns);
-  const std::size_t count = times.size();
-  return MoveToArray<Ids>(std::move(times), {count});
+  for (const TimedPose& pose : poses) times.push_back(pose.time_ns);
+  return MoveToArray<Ids>(std::move(times), {poses.size()});
 }
 
-Poses PosesOf(const Trajectory& trajectory) {
+Poses MatricesOf(const PoseSequence& poses) {
   std::vector<double> matrices;
-  for (const TimedPose& pose : trajectory.PosedFrames()) {
-    AppendMatrix(pose.world_from_camera, matrices);
-  }
-  const std::size_t count = matrices.size() / 16;
-  return MoveToArray<Poses>(std::move(matrices), {count, 4, 4});
+  for (const TimedPose& pose : poses) AppendMatrix(pose.world_from_camera, matrices);
+  return MoveToArray<Poses>(std::move(matrices), {poses.size(), 4, 4});
 }
 
 void BindTrajectory(nb::module_& module) {
   nb::class_<Trajectory>(module, "Trajectory", "The results of all input frames, in input order.")
       .def_ro("frames", &Trajectory::frames, "The FrameResult of every input frame.")
-      .def_prop_ro("timestamps_ns", &PosedTimes, nb::rv_policy::automatic,
-                   "int64 of shape (n,): times of the posed frames.")
-      .def_prop_ro("world_from_camera", &PosesOf, nb::rv_policy::automatic,
-                   "float64 of shape (n, 4, 4): poses of the posed frames.")
+      .def_prop_ro(
+          "timestamps_ns",
+          [](const Trajectory& trajectory) { return TimesOf(trajectory.PosedFrames()); },
+          nb::rv_policy::automatic, "int64 of shape (n,): times of the posed frames.")
+      .def_prop_ro(
+          "world_from_camera",
+          [](const Trajectory& trajectory) { return MatricesOf(trajectory.PosedFrames()); },
+          nb::rv_policy::automatic, "float64 of shape (n, 4, 4): poses of the posed frames.")
       .def_prop_ro("posed_share", &Trajectory::PosedShare, "Share of frames with a pose, 0 to 1.")
       .def("__len__", [](const Trajectory& trajectory) { return trajectory.frames.size(); })
       .def(
@@ -201,15 +200,8 @@ void BindPoseGraph(nb::module_& module) {
 
 /// Reads a file in TUM's format as timestamps and poses.
 std::pair<Ids, Poses> ReadTrajectory(const std::filesystem::path& file) {
-  std::vector<std::int64_t> times;
-  std::vector<double> matrices;
-  for (const TimedPose& pose : ReadTum(file)) {
-    times.push_back(pose.time_ns);
-    AppendMatrix(pose.world_from_camera, matrices);
-  }
-  const std::size_t count = times.size();
-  return {MoveToArray<Ids>(std::move(times), {count}),
-          MoveToArray<Poses>(std::move(matrices), {count, 4, 4})};
+  const PoseSequence poses = ReadTum(file);
+  return {TimesOf(poses), MatricesOf(poses)};
 }
 
 }  // namespace

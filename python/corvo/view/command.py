@@ -10,6 +10,7 @@ import rerun as rr
 
 import corvo
 from corvo._corvo import Inputs
+from corvo.commands import report
 from corvo.view.live import LiveView
 from corvo.view.recorder import Intrinsics, Recorder
 from corvo.view.result import Result, align_truth, record_result
@@ -37,8 +38,7 @@ def main(arguments: list[str]) -> int:
     try:
         _view(known.input, known.save, options)
     except corvo.Error as error:
-        print(f"corvo: error: {error}", file=sys.stderr)
-        return 1
+        return report(error)
     return 0
 
 
