@@ -30,6 +30,7 @@ struct Arguments {
   std::vector<std::string> settings;
   std::string json;
   int jobs = 2;
+  int starts = 0;
   int endurance_frames = 0;
   bool rendered = false;
   bool cost = false;
@@ -57,7 +58,9 @@ std::vector<Scenario> SelectScenarios(const Arguments& arguments) {
     for (const Scenario& scenario : scenarios) {
       if (!std::regex_search(scenario.title, std::regex(arguments.scenarios))) continue;
       const bool is_rendered = scenario.title.rfind("rendered", 0) == 0;
-      if (arguments.rendered || !is_rendered) selected.push_back(scenario);
+      if (!arguments.rendered && is_rendered) continue;
+      selected.push_back(scenario);
+      if (arguments.starts > 0) selected.back().perturbations = StartFrames(arguments.starts);
     }
   }
   return selected;
@@ -132,6 +135,9 @@ OdometryOptions MakeOptions(const Arguments& arguments) {
 void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--scenarios", arguments.scenarios, "those whose title matches this expression");
   app.add_option("--perturbations", arguments.perturbations, "those whose title matches");
+  app.add_option("--starts", arguments.starts,
+                 "begin at each of so many first images instead of the perturbations")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--config", arguments.config, "options file instead of the defaults");
   app.add_option("--set", arguments.settings,
                  "SECTION.FIELD=VALUE, also of options that files do not have; repeatable");

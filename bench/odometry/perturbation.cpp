@@ -40,19 +40,27 @@ cv::Mat Compress(const cv::Mat& image, int quality) {
   return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
 }
 
+Perturbation StartAt(int image) {
+  return {.title = fmt::format("start {}", image), .start = image};
+}
+
 }  // namespace
 
 std::vector<Perturbation> PerturbationSet() {
   std::vector<Perturbation> set;
-  for (const int start : {0, 3, 7, 13, 20}) {
-    set.push_back({.title = fmt::format("start {}", start), .start = start});
-  }
+  for (const int start : {0, 3, 7, 13, 20}) set.push_back(StartAt(start));
   set.push_back({.title = "stride 2", .stride = 2});
   set.push_back({.title = "noise 5", .noise_sigma = 5});
   set.push_back({.title = "gain 20%", .gain_swing = 0.2});
   set.push_back({.title = "JPEG 50", .jpeg_quality = 50});
   set.push_back({.title = "backwards", .backwards = true});
   return set;
+}
+
+std::vector<Perturbation> StartFrames(int count) {
+  std::vector<Perturbation> starts;
+  for (int start = 0; start < count; ++start) starts.push_back(StartAt(start));
+  return starts;
 }
 
 Recording Perturb(const Recording& recording, const Perturbation& perturbation) {

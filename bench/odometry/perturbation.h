@@ -27,6 +27,9 @@ struct Perturbation {
 /// noise, varying exposure, compression, and reversed time.
 std::vector<Perturbation> PerturbationSet();
 
+/// Returns `count` perturbations that only begin at the images 0, 1, 2, ...
+std::vector<Perturbation> StartFrames(int count);
+
 /// Returns the recording with the images that the perturbation selects, in its order and changed by
 /// it. If reversed, the timestamps and the ground truth are mirrored.
 Recording Perturb(const Recording& recording, const Perturbation& perturbation);

@@ -52,7 +52,8 @@ void MeasurePoses(const Evaluation& evaluation, TrialResult& result) {
 
 TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
   TrialResult result;
-  result.ate = result.t_rel_percent = result.r_rel_deg_per_100m = result.rpe = kUnknown;
+  result.ate = result.live_ate = result.t_rel_percent = result.r_rel_deg_per_100m = result.rpe =
+      kUnknown;
   result.rotation_deg = result.scale_drift = result.scale_percent_per_km = kUnknown;
   CountFrames(trajectory, result);
   if (truth.empty()) return result;
@@ -64,23 +65,36 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
   return result;
 }
 
+/// Returns the ATE of poses, or kUnknown if they are too few to be aligned.
+double AlignedError(const PoseSequence& poses, const PoseSequence& truth) {
+  if (truth.empty()) return kUnknown;
+  try {
+    return Evaluate(poses, truth).absolute.rmse;
+  } catch (const Error&) {
+    return kUnknown;
+  }
+}
+
 }  // namespace
 
 TrialResult RunTrial(const Recording& recording, const OdometryOptions& options, bool refine) {
   Odometry odometry(recording.camera, options);
   ObservationLog log;
   if (refine) odometry.SetObservationCallback(log.Callback());
+  PoseSequence live_poses;
   double wall_ms = 0, processor_ms = 0;
   for (int i = 0; i < recording.size(); ++i) {
     const cv::Mat image = recording.image(i);
     const double wall = WallTimeMs(), processor = ProcessTimeMs();
-    odometry.Process(image, recording.times[i]);
+    const FrameResult frame = odometry.Process(image, recording.times[i]);
     wall_ms += WallTimeMs() - wall;
     processor_ms += ProcessTimeMs() - processor;
+    if (frame.world_from_camera) live_poses.push_back({frame.time_ns, *frame.world_from_camera});
   }
   Trajectory trajectory = odometry.Finish();
   if (refine) trajectory = Refine(odometry, log).trajectory;
   TrialResult result = Evaluated(trajectory, recording.truth);
+  result.live_ate = AlignedError(live_poses, recording.truth);
   result.wall_ms = wall_ms / result.frames;
   result.processor_ms = processor_ms / result.frames;
   return result;

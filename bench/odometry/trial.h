@@ -13,8 +13,9 @@ struct TrialResult {
   double posed_share = 0;     ///< Share of frames with a pose, 0 to 1.
   double rotation_share = 0;  ///< Share of frames with a pose or a rotation, 0 to 1.
   int segments = 0;
-  int losses = 0;  ///< Number of frames without a pose that follow one with a pose.
-  double ate = 0;  ///< RMSE after one Sim3 alignment.
+  int losses = 0;       ///< Number of frames without a pose that follow one with a pose.
+  double ate = 0;       ///< RMSE after one Sim3 alignment.
+  double live_ate = 0;  ///< The same for the poses that Process() returned.
   double t_rel_percent = 0;
   double r_rel_deg_per_100m = 0;
   double rpe = 0;           ///< Translation error from frame to frame, RMSE.
