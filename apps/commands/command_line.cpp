@@ -37,15 +37,6 @@ constexpr const char* kFooter = R"(Examples:
 
 'corvo COMMAND --help' shows the options of a command, with examples.)";
 
-/// Sends all messages to standard error. Standard output is for results only.
-void SetUpLogging() {
-  const bool has_colors = std::getenv("NO_COLOR") == nullptr;  // See no-color.org.
-  spdlog::set_default_logger(spdlog::stderr_color_st(
-      "corvo", has_colors ? spdlog::color_mode::automatic : spdlog::color_mode::never));
-  spdlog::set_formatter(MakeLogFormatter());
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-}
-
 /// Writes what is buffered of the standard output. Returns false and logs an error if not all of
 /// the output could be written, as to a full disk.
 bool FlushOutput() {
@@ -110,6 +101,14 @@ int Execute(const std::vector<std::string>& arguments, Parser& parser) {
 }
 
 }  // namespace
+
+void SetUpLogging() {
+  const bool has_colors = std::getenv("NO_COLOR") == nullptr;  // See no-color.org.
+  spdlog::set_default_logger(spdlog::stderr_color_st(
+      "corvo", has_colors ? spdlog::color_mode::automatic : spdlog::color_mode::never));
+  spdlog::set_formatter(MakeLogFormatter());
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+}
 
 int RunCommandLine(const std::vector<std::string>& arguments) {
   SetUpLogging();

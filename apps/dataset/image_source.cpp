@@ -42,15 +42,6 @@ std::string SizeError(const TimedImage& image, const cv::Size& size) {
                      image.image.cols, image.image.rows, size.width, size.height);
 }
 
-/// Shrinks an image by averaging, or enlarges it by linear interpolation.
-cv::Mat Resize(const cv::Mat& image, const cv::Size& size) {
-  if (image.size() == size) return image;
-  const bool shrinks = size.width <= image.cols && size.height <= image.rows;
-  cv::Mat resized;
-  cv::resize(image, resized, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
-  return resized;
-}
-
 /// Throws corvo::Error if a topic is given for an input that has none.
 void CheckTopic(const std::string& topic, const std::string& input, bool is_bag) {
   if (topic.empty() || is_bag) return;
@@ -115,7 +106,7 @@ std::optional<TimedImage> ImageSource::Next() {
     return next;
   }
   next.mask = ResizeMask(preparation_->mask_source.MaskOf(next), preparation_->resize_to);
-  next.image = Resize(next.image, preparation_->resize_to);
+  next.image = ResizeImage(next.image, preparation_->resize_to);
   return next;
 }
 
@@ -170,6 +161,14 @@ std::optional<int> ImageSource::expected_size() const {
   const std::optional<VideoFrames> video = video_frames();
   if (!video || video->num_promised <= 0) return size();
   return NumSelected(video->num_promised, selection_);
+}
+
+cv::Mat ResizeImage(const cv::Mat& image, const cv::Size& size) {
+  if (image.size() == size) return image;
+  const bool shrinks = size.width <= image.cols && size.height <= image.rows;
+  cv::Mat resized;
+  cv::resize(image, resized, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return resized;
 }
 
 bool IsLiveInput(const std::string& input) { return ParseDevice(input) && !fs::exists(input); }

@@ -90,6 +90,9 @@ class ImageSource {
   bool requires_all_ = false;
 };
 
+/// Shrinks an image by averaging, or enlarges it by linear interpolation.
+cv::Mat ResizeImage(const cv::Mat& image, const cv::Size& size);
+
 /// Returns whether the input is a connected camera: "0" or "camera:0".
 bool IsLiveInput(const std::string& input);
 

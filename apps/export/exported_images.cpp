@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "apps/dataset/image_reader.h"
+#include "apps/dataset/image_source.h"
 #include "apps/output/durable_file.h"
 #include "apps/output/file_extension.h"
 #include "apps/output/image_file.h"
@@ -40,8 +41,7 @@ class Exporter {
   }
 
   void Write(const cv::Mat& image, const std::string& name) const {
-    cv::Mat exported = image;
-    if (image.size() != size_) cv::resize(image, exported, size_, 0, 0, cv::INTER_AREA);
+    cv::Mat exported = ResizeImage(image, size_);
     if (undistortion_) exported = undistortion_->Apply(exported);
     const fs::path target = Prepare(name);
     const bool is_gray = LowerExtension(target) == ".pgm";  // That form holds no color.
@@ -63,23 +63,23 @@ class Exporter {
   fs::path folder_;
 };
 
-/// Writes frames of a video, which is decoded once.
+/// Writes frames of a video or bag, which is decoded once; those of a bag in gray.
 void ExportVideo(const RunResult& result, const Reconstruction& reconstruction,
                  const Exporter& exporter) {
   std::map<int, std::string> names;  // By position in the video.
   for (const ReconstructedImage& image : reconstruction.images) {
     names[std::stoi(result.frames[image.frame].image)] = image.name;
   }
-  const std::unique_ptr<ImageReader> reader = OpenVideo(result.video, std::nullopt);
+  ImageSource source = OpenImages(result.video.string(), result.stored, {});
   int position = 0;
   for (const auto& [wanted, name] : names) {
-    for (; position < wanted; ++position) reader->Skip();
-    const std::optional<TimedImage> image = reader->Read();
+    for (; position < wanted; ++position) source.Skip();
+    const std::optional<TimedImage> image = source.Next();
     ++position;
     if (!image || image->missing != Reason::kNone) {
       throw Error(fmt::format("{}: frame {} cannot be read", result.video.string(), wanted));
     }
-    exporter.Write(image->color, name);
+    exporter.Write(image->color.empty() ? image->image : image->color, name);
   }
 }
 

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/output/frame_tables.h"
+#include "apps/run/result_images.h"
 #include "orb/error.h"
 #include "vo/io/config.h"
-#include "vo/io/file_bytes.h"
 #include "vo/io/trajectory_io.h"
 
 namespace corvo {
@@ -30,15 +30,6 @@ fs::path PathOf(const nlohmann::json& summary, const char* name, const fs::path&
                     file.string(), name));
   }
   return member->is_null() ? fs::path() : fs::path(member->get<std::string>());
-}
-
-nlohmann::json ReadSummary(const fs::path& file) {
-  const nlohmann::json summary =
-      nlohmann::json::parse(ReadFileBytes(file, kMaxTextBytes), nullptr, false);
-  if (!summary.is_object()) {
-    throw Error(fmt::format("{}: is not the summary of a run, or damaged", file.string()));
-  }
-  return summary;
 }
 
 /// Returns an integer member of summary.json's gray_levels.
@@ -108,10 +99,11 @@ void AddObservations(const RunResult& result, Reconstruction& reconstruction) {
 
 RunResult ReadRunResult(const fs::path& folder) {
   const fs::path file = folder / "summary.json";
-  const nlohmann::json summary = ReadSummary(file);
+  const nlohmann::json summary = ReadSummary(folder);
   RunResult result;
   result.image_folder = PathOf(summary, "image_folder", file);
   result.video = PathOf(summary, "video", file);
+  result.stored = InputArguments(folder, summary).stored;
   result.gray_levels = ReadGrayLevels(summary, file);
   result.camera = ReadCameraFile(folder / "camera_estimated.yaml").camera.parameters();
   result.frames = ReadFrames(folder);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/dataset/gray_levels.h"
+#include "apps/dataset/image_list.h"
 #include "apps/export/reconstruction.h"
 #include "apps/output/map_ply.h"
 #include "apps/output/observation_table.h"
@@ -25,8 +26,9 @@ struct ResultFrame {
 /// What `corvo run` has written into a folder.
 struct RunResult {
   CameraParameters camera;             ///< Of the processed images.
-  std::filesystem::path image_folder;  ///< Folder of the images; empty for a video or a camera.
-  std::filesystem::path video;         ///< The video; empty for image files.
+  std::filesystem::path image_folder;  ///< Folder of image files; empty for others.
+  std::filesystem::path video;         ///< The video or bag; empty for image files and cameras.
+  InputOptions stored;                 ///< How the images were read.
   GrayLevels gray_levels;              ///< How 16-bit images became 8-bit ones.
   std::vector<ResultFrame> frames;
   std::vector<MapPoint> points;
@@ -44,7 +46,7 @@ enum class ExportedFrames { kKeyframes, kAll };
 std::vector<int> SegmentsBySize(const RunResult& result);
 
 /// Returns the posed frames of a segment, in their order, and its points with their observations.
-/// Images of a video are called "frame_<index>.jpg", with six digits.
+/// Images of a video or bag are called "frame_<index>.jpg", with six digits.
 Reconstruction MakeReconstruction(const RunResult& result, int segment, ExportedFrames frames);
 
 }  // namespace corvo

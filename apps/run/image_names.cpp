@@ -27,7 +27,7 @@ fs::path CommonFolder(const std::vector<TimedFile>& files) {
 }  // namespace
 
 ImageNames::ImageNames(const fs::path& input, const ImageList& list) {
-  if (list.layout == "video") video_ = Absolute(input);
+  if (list.layout == "video" || list.layout == "bag") video_ = Absolute(input);
   if (list.images.empty()) return;
   folder_ = fs::is_directory(input) ? Absolute(input) : CommonFolder(list.images);
 }

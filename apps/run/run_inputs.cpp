@@ -101,15 +101,9 @@ MaskSource OpenMasks(const RunArguments& arguments, const TimedImage& first) {
   return arguments.mask.empty() ? MaskSource() : MaskSource(arguments.mask, first);
 }
 
-/// Returns the images of a run in their original size.
-ImageSource OpenPreparedImages(const RunArguments& arguments) {
-  ImageSource images =
-      OpenImages(arguments.input.string(), OptionsOf(arguments, {}), arguments.selection);
-  if (arguments.strict) images.RequireAll();
-  const TimedImage& first = images.First();
-  const cv::Size size = first.image.size();
-  images.Prepare({size, size, OpenMasks(arguments, first)});
-  return images;
+/// Returns the size of the images of a run, whose size as they are stored is given.
+cv::Size SizeOf(const RunArguments& arguments, const cv::Size& stored) {
+  return arguments.resize.empty() ? stored : ParseResize(arguments.resize, stored);
 }
 
 /// Returns the given camera, whose size is that of the images if its file states none, or the one
@@ -125,7 +119,9 @@ CameraPrior ReadCamera(const RunArguments& arguments, const std::optional<Stated
     SelfCalibrationOptions calibration;
     calibration.odometry = options;
     calibration.threads = arguments.threads;
-    return FindSequenceCamera(ToStreamOpener([&] { return OpenPreparedImages(arguments); }),
+    RunArguments original = arguments;
+    original.resize.clear();
+    return FindSequenceCamera(ToStreamOpener([&] { return OpenPreparedImages(original); }),
                               calibration, interruption);
   }
   const cv::Size size = source.First().image.size();
@@ -243,6 +239,20 @@ void AddInputOptions(CLI::App& command, RunArguments& arguments) {
       "a mask is 0");
 }
 
+ImageSource OpenPreparedImages(const RunArguments& arguments) {
+  if (IsLiveInput(arguments.input.string())) {
+    throw Error(
+        fmt::format("{}: the images of a live camera are not stored", arguments.input.string()));
+  }
+  ImageSource images =
+      OpenImages(arguments.input.string(), OptionsOf(arguments, {}), arguments.selection);
+  if (arguments.strict) images.RequireAll();
+  const TimedImage& first = images.First();
+  const cv::Size size = first.image.size();
+  images.Prepare({size, SizeOf(arguments, size), OpenMasks(arguments, first)});
+  return images;
+}
+
 RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interruption) {
   const OdometryOptions options = ReadRunOptions(arguments);
   const std::optional<StatedCamera> given = ReadGivenCamera(arguments);
@@ -254,7 +264,7 @@ RunInputs ReadInputs(const RunArguments& arguments, const Interruption& interrup
   const CameraPrior camera = ReadCamera(arguments, given, options, interruption, source);
   std::vector<std::string> warnings = CheckGivenCamera(arguments, camera.given);
   const cv::Size size(camera.given.width, camera.given.height);
-  const cv::Size resized = arguments.resize.empty() ? size : ParseResize(arguments.resize, size);
+  const cv::Size resized = SizeOf(arguments, size);
   source.Prepare({size, resized, OpenMasks(arguments, first)});
   RunTruth truth = ReadTruth(arguments, source.list());
   RunInputs inputs{options, camera.Resized(resized.width, resized.height), std::move(source),

@@ -66,6 +66,11 @@ void AddStoredImageOptions(CLI::App& command, InputOptions& options);
 /// Adds INPUT and the options that select the images and their camera.
 void AddInputOptions(CLI::App& command, RunArguments& arguments);
 
+/// Opens the images that the arguments select, with their masks, resized as these say. The required
+/// size is that of the first readable one. Throws corvo::Error as OpenImages(), if no image can be
+/// read, and for a live camera, whose images are not stored.
+ImageSource OpenPreparedImages(const RunArguments& arguments);
+
 /// Reads and checks all inputs, including that the first image has the camera's size and that a
 /// given camera is plausible (see CheckCamera()). Calibrates
 /// the camera from the images if requested. Throws corvo::Error, and Interrupted if an interruption

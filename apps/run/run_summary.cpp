@@ -140,10 +140,10 @@ void AddInputJson(const RunArguments& arguments, const ImageSource& source, Json
   if (selection.every != 1) json["every"] = selection.every;
   if (selection.count) json["count"] = *selection.count;
   if (!arguments.resize.empty()) json["resize"] = arguments.resize;
-  if (!arguments.mask.empty()) json["mask"] = arguments.mask.string();
+  if (!arguments.mask.empty()) json["mask"] = std::filesystem::absolute(arguments.mask).string();
   const InputOptions& stored = arguments.stored;
   if (stored.frame_rate_hz) json["fps"] = *stored.frame_rate_hz;
-  if (!stored.times.empty()) json["times"] = stored.times.string();
+  if (!stored.times.empty()) json["times"] = std::filesystem::absolute(stored.times).string();
   if (stored.bits) json["bits"] = *stored.bits;
   if (!stored.topic.empty()) json["topic"] = stored.topic;
   if (const auto levels = source.gray_levels()) json["gray_levels"] = ToJson(*levels);

@@ -30,7 +30,8 @@ from corvo._corvo import (
 )
 from corvo.calibration import calibrate
 from corvo.evaluation import evaluate
-from corvo.runs import Result, export, run
+from corvo.result import Result
+from corvo.runs import export, run
 
 __all__ = [
     "Camera",

@@ -9,7 +9,7 @@ from typing import Any
 
 from corvo import _corvo
 from corvo._corvo import Trajectory
-from corvo.runs import Result
+from corvo.result import Result
 
 
 def evaluate(

@@ -10,13 +10,12 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from corvo._corvo import Error
 from corvo.bags import missing_rosbags
 from corvo.commands import report
-from corvo.result_poses import ResultPose, read_poses
-from corvo.runs import Result
+from corvo.result import Result
 
 _TYPE = "geometry_msgs/msg/PoseStamped"
 
@@ -39,7 +38,7 @@ def write_poses(
         Error: The result cannot be read, the bag exists or cannot be written.
     """
     target = Path(bag)
-    poses = read_poses(result.folder if isinstance(result, Result) else result)
+    poses = _poses_of(result if isinstance(result, Result) else Result(result))
     if find_spec("rosbags") is None:
         raise missing_rosbags(target)
     if target.exists():
@@ -53,7 +52,28 @@ def write_poses(
         raise Error(f"{target}: cannot be written ({error})") from None
 
 
-def _write(poses: list[ResultPose], bag: Path, topic: str) -> None:
+class _Pose(NamedTuple):
+    time_ns: int
+    segment: int
+    position: list[float]
+    orientation: list[float]
+    """Quaternion x, y, z, w."""
+
+
+def _poses_of(result: Result) -> list[_Pose]:
+    return [
+        _Pose(*pose)
+        for pose in zip(
+            result.timestamps_ns.tolist(),
+            result.segments.tolist(),
+            result.world_from_camera[:, :3, 3].tolist(),
+            result.orientations.tolist(),
+            strict=True,
+        )
+    ]
+
+
+def _write(poses: list[_Pose], bag: Path, topic: str) -> None:
     from rosbags.typesys import Stores, get_typestore
 
     is_ros1 = bag.suffix == ".bag"
@@ -76,7 +96,7 @@ def _create(bag: Path) -> AbstractContextManager[Any]:
     return rosbag2.Writer(bag, version=8, storage_plugin=storage)
 
 
-def _message(types: Any, sequence: int | None, pose: ResultPose) -> Any:
+def _message(types: Any, sequence: int | None, pose: _Pose) -> Any:
     """Returns a PoseStamped; only the header of ROS 1 has a sequence number."""
     seconds, nanoseconds = divmod(pose.time_ns, 1_000_000_000)
     header = {

@@ -1,80 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Runs of whole sequences, as the command `corvo run` does them, and their results."""
+"""Runs of whole sequences, as the command `corvo run` does them, and exports of their results."""
 
-import json
-from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from corvo import frames
-from corvo._corvo import Camera, Options, read_tum
+from corvo._corvo import Camera, Options
 from corvo.commands import Option, execute, option_arguments, write_text
-
-if TYPE_CHECKING:
-    import pandas
-    import pyarrow
-
-
-class Result:
-    """The result folder of a run. A temporary one is removed with this object."""
-
-    def __init__(
-        self, folder: str | PathLike[str], temporary: TemporaryDirectory[str] | None = None
-    ) -> None:
-        self.folder = Path(folder)
-        self._temporary = temporary
-
-    @cached_property
-    def summary(self) -> dict[str, Any]:
-        """The content of summary.json: outcome, counts, camera, and accuracy given ground truth."""
-        summary: dict[str, Any] = json.loads(
-            (self.folder / "summary.json").read_text(encoding="utf-8")
-        )
-        return summary
-
-    @property
-    def timestamps_ns(self) -> NDArray[np.int64]:
-        """int64 of shape (n,): the times of the posed frames."""
-        return self._trajectory[0]
-
-    @property
-    def world_from_camera(self) -> NDArray[np.float64]:
-        """float64 of shape (n, 4, 4): the poses of the posed frames."""
-        return self._trajectory[1]
-
-    @property
-    def camera(self) -> Camera:
-        """The refined camera with its standard deviations."""
-        return Camera.load(self.folder / "camera_estimated.yaml")
-
-    def to_frame(self) -> "pandas.DataFrame":
-        """Returns frames.csv, a row for each frame, as a pandas.DataFrame.
-
-        Raises:
-            Error: pandas is not installed.
-        """
-        return frames.to_frame(self._frames_csv)
-
-    def to_arrow(self) -> "pyarrow.Table":
-        """Returns frames.csv as a pyarrow.Table.
-
-        Raises:
-            Error: pyarrow is not installed.
-        """
-        return frames.to_arrow(self._frames_csv)
-
-    @cached_property
-    def _trajectory(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        return read_tum(self.folder / "trajectory.tum")
-
-    @property
-    def _frames_csv(self) -> str:
-        return (self.folder / "frames.csv").read_text(encoding="utf-8")
+from corvo.result import Result
 
 
 def run(

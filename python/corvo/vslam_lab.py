@@ -18,17 +18,18 @@ from collections.abc import Sequence
 from decimal import Decimal
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from corvo import Error, run
 from corvo.commands import report
-from corvo.result_poses import ResultPose, largest_segment, read_poses
+from corvo.result import Result
 
 _HEADER = ("ts (ns)", "tx (m)", "ty (m)", "tz (m)", "qx", "qy", "qz", "qw")
 
 
-def track_sequence(
-    sequence: Path, rgb_csv: Path, calibration: Path, settings: str
-) -> list[ResultPose]:
-    """Returns the poses of the largest segment of a sequence.
+def track_sequence(sequence: Path, rgb_csv: Path, calibration: Path, settings: str) -> Result:
+    """Runs the odometry on a sequence.
 
     Args:
         sequence: The folder to which the paths of the images are relative.
@@ -42,23 +43,35 @@ def track_sequence(
     camera, images = _read_table(rgb_csv)
     with tempfile.TemporaryDirectory(prefix="corvo_vslam_lab_") as folder:
         # A TUM RGB-D sequence: a list of names in its folder, with times in seconds.
-        listed, result = Path(folder) / "images", Path(folder) / "result"
+        listed = Path(folder) / "images"
         listed.mkdir()
         (listed / "sequence").symlink_to(sequence.absolute(), target_is_directory=True)
         lines = [f"{Decimal(time).scaleb(-9):f} sequence/{image}\n" for time, image in images]
         (listed / "rgb.txt").write_text("".join(lines))
-        run(listed, camera=f"{calibration}:{camera}", config=settings or None, output=result)
-        return largest_segment(read_poses(result))
+        return run(listed, camera=f"{calibration}:{camera}", config=settings or None)
 
 
-def write_trajectory(poses: Sequence[ResultPose], file: Path) -> None:
-    """Writes poses as VSLAM-LAB reads them."""
+def in_largest_segment(segments: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Returns which poses are those of the segment that has most of them, of equal ones the first.
+
+    Args:
+        segments: The segment of each pose, shape (n,).
+    """
+    largest = int(np.bincount(segments, minlength=1).argmax())
+    chosen: NDArray[np.bool_] = segments == largest
+    return chosen
+
+
+def write_trajectory(result: Result, file: Path) -> None:
+    """Writes the poses of the largest segment as VSLAM-LAB reads them."""
+    chosen = in_largest_segment(result.segments)
+    poses = np.hstack([result.world_from_camera[:, :3, 3], result.orientations])
     file.parent.mkdir(parents=True, exist_ok=True)
     with file.open("w", newline="") as opened:
         writer = csv.writer(opened)
         writer.writerow(_HEADER)
-        for pose in poses:
-            writer.writerow((pose.time_ns, *pose.position, *pose.orientation))
+        for time_ns, pose in zip(result.timestamps_ns[chosen].tolist(), poses[chosen].tolist()):
+            writer.writerow((time_ns, *pose))
 
 
 def _read_table(table: Path) -> tuple[str, list[tuple[int, str]]]:
@@ -94,12 +107,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """The command corvo-vslam-lab. Returns its exit code."""
     given = _parse(sys.argv[1:] if arguments is None else arguments)
     try:
-        poses = track_sequence(
+        result = track_sequence(
             given.sequence_path, given.rgb_csv, given.calibration_yaml, given.settings_yaml
         )
     except Error as error:
         return report(error)
-    write_trajectory(poses, given.exp_folder / f"{given.exp_id:05}_KeyFrameTrajectory.csv")
+    write_trajectory(result, given.exp_folder / f"{given.exp_id:05}_KeyFrameTrajectory.csv")
     return 0
 
 

@@ -22,11 +22,6 @@ using Points2 = NumpyArray<double, -1, 2>;
 using Points3 = NumpyArray<double, -1, 3>;
 using Poses = NumpyArray<double, -1, 4, 4>;
 
-/// Points of `Size` coordinates that are given as float64 of shape (n, Size).
-template <nanobind::ssize_t Size>
-using PointsIn = nanobind::ndarray<const double, nanobind::shape<-1, Size>, nanobind::c_contig,
-                                   nanobind::device::cpu>;
-
 /// Returns a NumPy array of type `Array` that owns `values`, in row-major order.
 template <typename Array>
 Array MoveToArray(std::vector<typename Array::Scalar> values,

@@ -19,6 +19,7 @@
 #include "orb/error.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
+#include "python/src/checked_arrays.h"
 #include "python/src/config_text.h"
 #include "vo/camera/camera.h"
 #include "vo/io/config.h"
@@ -52,29 +53,28 @@ std::optional<std::map<std::string, double>> SigmaOf(const CameraFile& file) {
   return sigma;
 }
 
-/// Applies `map`, which returns an optional 2-vector, to each of the points of `Size` coordinates.
-/// Points without a result get NaN.
-template <int Size, typename Map>
-Points2 MapPoints(const double* points, std::size_t count, Map&& map) {
+/// Applies `map`, which returns an optional 2-vector, to each point. Points without a result get
+/// NaN.
+template <typename Point, typename Map>
+Points2 MapPoints(const std::vector<Point>& points, Map&& map) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> results;
-  results.reserve(2 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Map<const Eigen::Vector<double, Size>> point(points + Size * i);
+  results.reserve(2 * points.size());
+  for (const Point& point : points) {
     const Eigen::Vector2d result = map(point).value_or(Eigen::Vector2d::Constant(kNone));
     results.insert(results.end(), {result.x(), result.y()});
   }
-  return MoveToArray<Points2>(std::move(results), {count, 2});
+  return MoveToArray<Points2>(std::move(results), {points.size(), 2});
 }
 
-Points2 Project(const CameraFile& file, const PointsIn<3>& points) {
-  return MapPoints<3>(points.data(), points.shape(0),
-                      [&](const Eigen::Vector3d& point) { return file.camera.Project(point); });
+Points2 Project(const CameraFile& file, nb::handle points) {
+  return MapPoints(ToPoints<3>(points, "points"),
+                   [&](const Eigen::Vector3d& point) { return file.camera.Project(point); });
 }
 
-Points2 Undistort(const CameraFile& file, const PointsIn<2>& pixels) {
-  return MapPoints<2>(pixels.data(), pixels.shape(0),
-                      [&](const Eigen::Vector2d& pixel) { return file.camera.Undistort(pixel); });
+Points2 Undistort(const CameraFile& file, nb::handle pixels) {
+  return MapPoints(ToPoints<2>(pixels, "pixels"),
+                   [&](const Eigen::Vector2d& pixel) { return file.camera.Undistort(pixel); });
 }
 
 void BindParameters(nb::class_<CameraFile>& camera) {
@@ -136,16 +136,26 @@ Raises:
     Error: There is no such file or camera, or it cannot be read.)");
   BindParameters(camera);
   camera
-      .def("project", &Project, nb::arg("points"),
+      .def("project", &Project, nb::arg("points").none(),
+           nb::sig("def project(self, points: numpy.typing.NDArray[numpy.float64]) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
            R"(Projects points in the frame of the camera, float64 of shape (n, 3).
 
 Returns:
-    Pixels, float64 of shape (n, 2); NaN for points that the camera cannot see.)")
-      .def("undistort", &Undistort, nb::arg("pixels"),
+    Pixels, float64 of shape (n, 2); NaN for points that the camera cannot see.
+
+Raises:
+    Error: The array has another dtype or shape.)")
+      .def("undistort", &Undistort, nb::arg("pixels").none(),
+           nb::sig("def undistort(self, pixels: numpy.typing.NDArray[numpy.float64]) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
            R"(Finds the rays (x/z, y/z) through pixels, float64 of shape (n, 2).
 
 Returns:
-    float64 of shape (n, 2); NaN for pixels outside the domain of the model.)")
+    float64 of shape (n, 2); NaN for pixels outside the domain of the model.
+
+Raises:
+    Error: The array has another dtype or shape.)")
       .def("__str__", &WriteCameraFile, "The text of a camera file.")
       .def(
           "__eq__",

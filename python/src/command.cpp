@@ -72,6 +72,7 @@ int Main(const std::vector<std::string>& arguments) {
 void BindCommand(nb::module_& module) {
   module.def("_set_config_folder", &SetConfigFolder, nb::arg("folder"));
   module.def("_execute", &Execute, nb::arg("arguments"), nb::call_guard<nb::gil_scoped_release>());
+  module.def("_set_up_logging", &SetUpLogging);
   module.def("_main", &Main, nb::arg("arguments"), nb::call_guard<nb::gil_scoped_release>());
 }
 

@@ -16,7 +16,7 @@
 #include "orb/matcher.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
-#include "python/src/byte_arrays.h"
+#include "python/src/checked_arrays.h"
 #include "python/src/images.h"
 #include "vo/core/options.h"
 

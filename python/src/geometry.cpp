@@ -13,6 +13,7 @@
 #include "orb/error.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
+#include "python/src/checked_arrays.h"
 #include "vo/core/options.h"
 #include "vo/geometry/two_view.h"
 #include "vo/io/config.h"
@@ -34,12 +35,13 @@ struct RayMatches {
   std::vector<int> matches;
 };
 
-RayMatches ToRays(const PointsIn<2>& first, const PointsIn<2>& second, const Camera& camera,
+RayMatches ToRays(const std::vector<Eigen::Vector2d>& first,
+                  const std::vector<Eigen::Vector2d>& second, const Camera& camera,
                   double sigma_px) {
   RayMatches found;
-  for (std::size_t i = 0; i < first.shape(0); ++i) {
-    const auto a = camera.Undistort(Eigen::Map<const Eigen::Vector2d>(first.data() + 2 * i));
-    const auto b = camera.Undistort(Eigen::Map<const Eigen::Vector2d>(second.data() + 2 * i));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto a = camera.Undistort(first[i]);
+    const auto b = camera.Undistort(second[i]);
     if (!a || !b) continue;
     found.rays.push_back({*a, *b, sigma_px / camera.focal()});
     found.matches.push_back(static_cast<int>(i));
@@ -47,16 +49,17 @@ RayMatches ToRays(const PointsIn<2>& first, const PointsIn<2>& second, const Cam
   return found;
 }
 
-TwoViewMotion EstimateTwoView(const PointsIn<2>& first, const PointsIn<2>& second,
-                              const CameraFile& file, double sigma_px,
-                              const OdometryOptions& options) {
-  if (first.shape(0) != second.shape(0)) {
-    throw Error(fmt::format("second has {} pixels; allowed is {}, as first has", second.shape(0),
-                            first.shape(0)));
+TwoViewMotion EstimateTwoView(nb::handle first, nb::handle second, const CameraFile& file,
+                              double sigma_px, const OdometryOptions& options) {
+  const std::vector<Eigen::Vector2d> a = ToPoints<2>(first, "first");
+  const std::vector<Eigen::Vector2d> b = ToPoints<2>(second, "second");
+  if (a.size() != b.size()) {
+    throw Error(
+        fmt::format("second has {} pixels; allowed is {}, as first has", b.size(), a.size()));
   }
   CheckRange("sigma_px", sigma_px, 1e-3, 1e3);
   const nb::gil_scoped_release release;
-  RayMatches found = ToRays(first, second, file.camera, sigma_px);
+  RayMatches found = ToRays(a, b, file.camera, sigma_px);
   return {EstimateTwoViewMotion(found.rays, options.initializer), std::move(found.matches)};
 }
 
@@ -111,8 +114,11 @@ void BindGeometry(nb::module_& module) {
       .def_prop_ro(
           "parallax_deg", [](const TwoViewMotion& motion) { return motion.result.parallax_deg; },
           "Median over the matches, rotation removed.");
-  module.def("two_view", &EstimateTwoView, nb::arg("first"), nb::arg("second"), nb::arg("camera"),
-             nb::arg("sigma_px") = 1.0, nb::arg("options") = OdometryOptions(),
+  module.def("two_view", &EstimateTwoView, nb::arg("first").none(), nb::arg("second").none(),
+             nb::arg("camera"), nb::arg("sigma_px") = 1.0, nb::arg("options") = OdometryOptions(),
+             nb::sig("def two_view(first: numpy.typing.NDArray[numpy.float64], "
+                     "second: numpy.typing.NDArray[numpy.float64], camera: Camera, "
+                     "sigma_px: float = 1.0, options: Options = ...) -> TwoViewMotion"),
              R"(Estimates the motion between two views of one camera from matches.
 
 The motion is accepted only if there are enough matches with parallax, if neither a pure rotation
@@ -125,7 +131,8 @@ Args:
     options: The options, of which the section `initializer` is used.
 
 Raises:
-    Error: The numbers of pixels differ, or `sigma_px` is out of range.)");
+    Error: An array has another dtype or shape, the numbers of pixels differ, or `sigma_px` is out
+        of range.)");
 }
 
 }  // namespace corvo::python

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "python/src/arrays.h"
-#include "python/src/byte_arrays.h"
+#include "python/src/checked_arrays.h"
 
 namespace corvo::python {
 namespace {
@@ -18,13 +18,13 @@ namespace nb = nanobind;
 constexpr std::size_t kMaxSide = 100000;
 constexpr std::size_t kNumColors = 3;
 
-bool HasSize(const ByteArray& array) {
+bool HasSize(const CheckedArray& array) {
   const auto is_side = [](std::size_t side) { return side > 0 && side <= kMaxSide; };
   return is_side(array.shape(0)) && is_side(array.shape(1));
 }
 
 /// Returns whether the pixels of each row follow each other, and the rows do not overlap.
-bool HasContiguousRows(const ByteArray& array) {
+bool HasContiguousRows(const CheckedArray& array) {
   std::int64_t step = 1;
   for (std::size_t axis = array.ndim() - 1; axis > 0; --axis) {
     if (array.shape(axis) > 1 && array.stride(axis) != step) return false;
@@ -34,7 +34,7 @@ bool HasContiguousRows(const ByteArray& array) {
 }
 
 /// Returns an image of `type` that shares the pixels of an array.
-cv::Mat ToMat(nb::handle object, const ByteArray& array, int type, std::string_view name) {
+cv::Mat ToMat(nb::handle object, const CheckedArray& array, int type, std::string_view name) {
   if (!HasContiguousRows(array)) {
     ThrowNotAllowed(name, "strides", object.attr("strides"),
                     "contiguous rows, as numpy.ascontiguousarray makes them");
@@ -63,7 +63,7 @@ nb::object Share(const cv::Mat& image) {
 }  // namespace
 
 cv::Mat ToGrayImage(nb::handle image) {
-  const ByteArray array = ToByteArray(image, "image");
+  const CheckedArray array = ToCheckedArray(image, "uint8", "image");
   const bool is_color = array.ndim() == 3 && array.shape(2) == kNumColors;
   if ((array.ndim() != 2 && !is_color) || !HasSize(array)) {
     ThrowNotAllowed(
@@ -78,7 +78,7 @@ cv::Mat ToGrayImage(nb::handle image) {
 
 cv::Mat ToMask(nb::handle mask) {
   if (mask.is_none()) return {};
-  const ByteArray array = ToByteArray(mask, "mask");
+  const CheckedArray array = ToCheckedArray(mask, "uint8", "mask");
   if (array.ndim() != 2 || !HasSize(array)) {
     ThrowNotAllowed("mask", "shape", mask.attr("shape"),
                     "(height, width), with sides of 1 to 100000");

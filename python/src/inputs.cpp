@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,12 +8,14 @@
 #include <vector>
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 #include <CLI/App.hpp>
 
 #include "apps/output/error_text.h"
+#include "apps/run/result_images.h"
 #include "apps/run/run_inputs.h"
 #include "orb/error.h"
 #include "python/src/arrays.h"
@@ -82,6 +85,15 @@ nb::tuple NextImage(Inputs& inputs) {
   return nb::make_tuple(next->time_ns, ToArray(next->image), ToArray(next->mask));
 }
 
+nb::tuple NextOfResult(ResultImages& images) {
+  const std::optional<TimedImage> next = [&] {
+    const nb::gil_scoped_release release;
+    return images.Next();
+  }();
+  if (!next) throw nb::stop_iteration();
+  return nb::make_tuple(images.NameOf(*next), ToArray(next->image), ToArray(next->mask));
+}
+
 Points3 TruePositions(const Inputs& inputs) {
   std::vector<double> positions;
   for (const TimedPose& pose : inputs.truth().poses) {
@@ -92,9 +104,32 @@ Points3 TruePositions(const Inputs& inputs) {
   return MoveToArray<Points3>(std::move(positions), {count, 3});
 }
 
+void BindResultImages(nb::module_& module) {
+  nb::class_<ResultImages>(module, "ResultImages", R"(The images of a finished run, as it used them.
+
+They are read again from the input of the run. Iterating yields (name, image, mask): name is that in
+frames.csv; image is uint8 of shape (height, width), or None if it cannot be read; mask is of the
+same shape, or None.
+
+Args:
+    result: The folder of the result.
+
+Raises:
+    Error: The result or its input cannot be read, or the input was a live camera.)")
+      .def(nb::init<const std::filesystem::path&>(), nb::arg("result"),
+           nb::call_guard<nb::gil_scoped_release>())
+      .def(
+          "__iter__", [](nb::object self) { return self; },
+          nb::sig("def __iter__(self) -> ResultImages"))
+      .def("__next__", &NextOfResult,
+           nb::sig("def __next__(self) -> tuple[str, numpy.typing.NDArray[numpy.uint8] | None, "
+                   "numpy.typing.NDArray[numpy.uint8] | None]"));
+}
+
 }  // namespace
 
 void BindInputs(nb::module_& module) {
+  BindResultImages(module);
   nb::class_<Inputs>(module, "Inputs", R"(The images that `corvo run` reads, and its odometry.
 
 Iterating yields (timestamp_ns, image, mask): image is uint8 of shape (height, width), or None if it

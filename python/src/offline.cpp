@@ -59,7 +59,8 @@ void BindOffline(nb::module_& module) {
              R"(Finishes a sequence and adjusts its keyframes, landmarks and camera together.
 
 Args:
-    odometry: An odometry that was made with record=True.
+    odometry: An odometry that was made with record=True. The folder of a result does not hold
+        one, so that a finished run cannot be adjusted; run(..., refine=True) does it at its end.
 
 Raises:
     Error: The odometry has no record.)");

@@ -16,7 +16,7 @@ from PIL import Image
 
 import corvo
 from corvo import bags
-from corvo._corvo import message_to_gray
+from corvo._corvo import ResultImages, message_to_gray
 
 START_NS = 1_403_636_579_763_555_584
 TOPIC = "/cam/image_raw"
@@ -129,6 +129,46 @@ def test_16_bit_images_get_the_levels_of_16_bit_files(
     path = film.write(tmp_path / "film.bag", write)
     assert trajectory(path) == expected
     assert trajectory(path, bits=14) == trajectory(files, camera=film.camera, bits=14) != expected
+
+
+def exported_images(result: corvo.Result, folder: Path) -> list[Pixels]:
+    corvo.export(result, to="colmap", frames="all", images=True, output=folder)
+    files = sorted((folder / "images").iterdir())
+    assert [file.name for file in files] == [f"frame_{i:06}.jpg" for i in posed_frames(result)]
+    return [np.asarray(Image.open(file)).astype(float) for file in files]
+
+
+def posed_frames(result: corvo.Result) -> list[int]:
+    return [int(row["index"]) for row in result.rows if row["posed"] == "1"]
+
+
+@pytest.mark.parametrize("name", ["film.bag", "film.mcap", "film_sqlite"])
+def test_the_images_of_a_result_are_exported(film: Film, tmp_path: Path, name: str) -> None:
+    result = corvo.run(film.write(tmp_path / name, mono8))
+    for index, image in zip(
+        posed_frames(result), exported_images(result, tmp_path / "model"), strict=True
+    ):
+        assert np.abs(image - film.images[index]).mean() < 2  # The loss of JPEG.
+
+
+def test_exported_images_have_the_size_and_the_levels_of_the_run(
+    film: Film, tmp_path: Path
+) -> None:
+    def write(bag: BagFile, time_ns: int, image: Pixels) -> None:
+        bag.write_image("/other", time_ns, "mono8", 255 - image)
+        bag.write_image(TOPIC, time_ns, "mono16", 7000 + 5 * image.astype(np.uint16))
+
+    path = film.write(tmp_path / "film.mcap", write)
+    options = {"topic": TOPIC, "start": 3, "every": 2, "resize": 0.5}
+    result = corvo.run(path, **options)
+    used = [image for _, image, _ in ResultImages(result.folder)]
+    for index, image in zip(
+        posed_frames(result), exported_images(result, tmp_path / "model"), strict=True
+    ):
+        assert image.shape == (240, 320)
+        expected = used[index]
+        assert expected is not None
+        assert np.abs(image - expected).mean() < 2
 
 
 def test_rows_may_be_padded(film: Film, tmp_path: Path) -> None:

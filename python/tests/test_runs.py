@@ -7,6 +7,7 @@ import threading
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import Sequence, command
 
@@ -52,6 +53,35 @@ def test_results_become_tables(room: Sequence) -> None:
     assert list(frame["index"]) == list(range(20))
     assert set(frame["state"]) <= {"initializing", "tracking", "rotation_only", "lost"}
     assert result.to_arrow().to_pandas()["image"].tolist() == frame["image"].tolist()
+
+
+def test_the_arrays_of_a_result_have_equal_indices(command_result: Path) -> None:
+    result = corvo.Result(command_result)
+    posed = [row for row in result.rows if row["posed"] == "1"]
+    assert result.segments.tolist() == [int(row["segment"]) for row in posed]
+    times = [int(row["timestamp"].replace(".", "")) for row in posed]
+    assert result.timestamps_ns.tolist() == times
+    x, y, z, w = result.orientations.T
+    # The axis of the rotation times twice the sine and the cosine.
+    rotations = result.world_from_camera[:, :3, :3]
+    skew = rotations - rotations.transpose(0, 2, 1)
+    expected = 4 * w * np.stack([x, y, z])
+    np.testing.assert_allclose([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], expected, atol=1e-8)
+
+
+def test_a_folder_that_is_no_result_is_an_error(command_result: Path, tmp_path: Path) -> None:
+    message = f"{tmp_path}: is not the result of a run; it has no "
+    with pytest.raises(corvo.Error, match=message + "summary.json"):
+        corvo.Result(tmp_path).summary
+    (tmp_path / "trajectory.tum").write_bytes((command_result / "trajectory.tum").read_bytes())
+    with pytest.raises(corvo.Error, match=message + "frames.csv"):
+        corvo.Result(tmp_path).segments
+    (tmp_path / "frames.csv").write_text("posed,segment\n1,0\n")
+    with pytest.raises(corvo.Error, match="frames.csv: 1 frames are posed; .* have a pose"):
+        corvo.Result(tmp_path).segments
+    (tmp_path / "frames.csv").write_text("posed\n1\n")
+    with pytest.raises(corvo.Error, match="frames.csv: is no table of frames"):
+        corvo.Result(tmp_path).segments
 
 
 def test_errors_are_those_of_the_command(room: Sequence, tmp_path: Path) -> None:

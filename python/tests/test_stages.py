@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -112,6 +114,43 @@ def test_two_views_give_the_motion(
     assert (standing.reason, standing.first_from_second) == ("low_parallax", None)
     with pytest.raises(corvo.Error, match="second has 3 pixels; allowed is"):
         corvo.two_view(first, second[:3], room.camera)
+
+
+@pytest.mark.parametrize(
+    "points, message",
+    [
+        (np.zeros((3, 2), np.float32), "NAME has dtype float32; allowed is float64"),
+        (np.zeros((3, 2), np.int64), "NAME has dtype int64; allowed is float64"),
+        (np.zeros((3, 2), ">f8"), "NAME has dtype >f8; allowed is float64"),
+        (np.zeros((3, 4)), r"NAME has shape \(3, 4\); allowed is \(n, "),
+        (np.zeros(2), r"NAME has shape \(2,\); allowed is \(n, "),
+        ([[1.0, 2.0]], "NAME has type list; allowed is a NumPy array"),
+        (None, "NAME has type NoneType; allowed is a NumPy array"),
+    ],
+)
+def test_points_are_checked(room: Sequence, points: Any, message: str) -> None:
+    valid = np.zeros((3, 2))
+    calls: dict[str, Callable[[], object]] = {
+        "first": lambda: corvo.two_view(points, valid, room.camera),
+        "second": lambda: corvo.two_view(valid, points, room.camera),
+        "points": lambda: room.camera.project(points),
+        "pixels": lambda: room.camera.undistort(points),
+    }
+    for name, call in calls.items():
+        with pytest.raises(corvo.Error, match=message.replace("NAME", name)):
+            call()
+
+
+def test_points_may_lie_apart(room: Sequence) -> None:
+    points = np.random.default_rng(3).uniform(1, 2, (5, 3))
+    expected = room.camera.project(points)
+    np.testing.assert_array_equal(room.camera.project(np.asfortranarray(points)), expected)
+    np.testing.assert_array_equal(room.camera.project(points[::-1]), expected[::-1])
+    unaligned = np.frombuffer(b"\0" + points.tobytes(), np.float64, offset=1).reshape(5, 3)
+    np.testing.assert_array_equal(room.camera.project(unaligned), expected)
+    packed = np.zeros(5, [("tag", np.uint8), ("point", np.float64, 3)])["point"]
+    with pytest.raises(corvo.Error, match=r"points has strides \(25, 8\); allowed is multiples"):
+        room.camera.project(packed)
 
 
 def test_cameras(room: Sequence, tmp_path: Path) -> None:

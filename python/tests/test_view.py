@@ -3,6 +3,7 @@
 
 import csv
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,11 +12,13 @@ import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import create_autospec
 
 import numpy as np
 import pytest
 from conftest import Sequence
 from numpy.typing import NDArray
+from PIL import Image
 
 import corvo
 
@@ -32,7 +35,7 @@ from corvo.view.viewer import silent_environment  # noqa: E402
 VGA = view.Intrinsics(640, 480, 525, 525, 319.5, 239.5)
 EMPTY = ResultFrame(
     0, 0, "lost", "too_few_matches", None, False, None, None, 0, 0, 0.0,
-    np.empty((0, 2)), np.empty(0, np.int64), None, None,
+    np.empty((0, 2)), np.empty(0, np.int64), "", None,
 )  # fmt: skip
 
 
@@ -142,6 +145,89 @@ def test_the_path_in_a_recording_passes_every_position(
     positions = corvo.read_tum(command_result / "trajectory.tum")[1][:, :3, 3]
     distances = np.linalg.norm(recorded[:, None] - positions[None], axis=-1)
     assert distances.min(axis=0).max() < 1e-6
+
+
+def write_png(folder: Path, images: list[NDArray[Any]]) -> Path:
+    folder.mkdir()
+    for i, image in enumerate(images):
+        Image.fromarray(image).save(folder / f"{i:04}.png")
+    return folder
+
+
+def shown(result: corvo.Result) -> list[tuple[Any, Any]]:
+    """The image and the mask of each frame, as they are given to a recorder."""
+    recorder = create_autospec(view.Recorder, instance=True)
+    view.record_result(result, recorder)
+    return [call.args[1:3] for call in recorder.frame.call_args_list]
+
+
+def test_16_bit_images_of_a_result_are_those_of_the_run(room: Sequence, tmp_path: Path) -> None:
+    # The brightness varies: an image alone does not tell how the run converted it.
+    stored = [
+        7000 + (5 + i % 3) * image.astype(np.uint16) for i, image in enumerate(room.images[:6])
+    ]
+    files = write_png(tmp_path / "images", stored)
+    result = corvo.run(files, camera=room.camera)
+    low, high = (result.summary["gray_levels"][name] for name in ("low", "high"))
+    expected = [np.clip(255 * (image - float(low)) / (high - low), 0, 255) for image in stored]
+    for (image, _), levels in zip(shown(result), expected, strict=True):
+        assert np.abs(image - levels).max() <= 1
+
+
+def test_a_result_is_shown_with_its_masks_and_size(room: Sequence, tmp_path: Path) -> None:
+    mask = np.full((480, 640), 255, np.uint8)
+    mask[:, :100] = 0
+    Image.fromarray(mask).save(tmp_path / "mask.png")
+    files = write_png(tmp_path / "images", room.images[:12])
+    options: dict[str, Any] = {"start": 2, "every": 3, "resize": 0.5, "mask": tmp_path / "mask.png"}
+    result = corvo.run(files, camera=room.camera, **options)
+    expected = [
+        (np.asarray(Image.fromarray(image).reduce(2)), mask[::2, ::2])
+        for image in room.images[2:12:3]
+    ]
+    for (image, used), (reduced, halved) in zip(shown(result), expected, strict=True):
+        assert np.abs(image.astype(int) - reduced).max() <= 1
+        np.testing.assert_array_equal(used, halved)
+
+
+def test_the_images_of_a_bag_are_shown(room: Sequence, tmp_path: Path) -> None:
+    pytest.importorskip("rosbags")
+    from bag_file import BagFile
+
+    with BagFile(tmp_path / "film.mcap") as bag:
+        for time_ns, image in zip(room.timestamps_ns[:6], room.images):
+            bag.write_image("/image", time_ns, "mono8", image)
+    result = corvo.run(tmp_path / "film.mcap", camera=room.camera)
+    for (image, mask), original in zip(shown(result), room.images[:6], strict=True):
+        np.testing.assert_array_equal(image, original)
+        assert mask is None
+
+
+def test_the_images_of_a_film_are_shown(room: Sequence, tmp_path: Path) -> None:
+    cv2 = pytest.importorskip("cv2")
+    film = str(tmp_path / "film.avi")
+    writer = cv2.VideoWriter(film, cv2.VideoWriter_fourcc(*"MJPG"), 30, (640, 480))
+    for image in room.images[:6]:
+        writer.write(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR))
+    writer.release()
+    for (image, _), original in zip(
+        shown(corvo.run(film, camera=room.camera)), room.images[:6], strict=True
+    ):
+        assert np.abs(image.astype(int) - original).mean() < 5  # The loss of Motion JPEG.
+
+
+def test_images_that_have_changed_are_not_shown(room: Sequence, tmp_path: Path) -> None:
+    files = write_png(tmp_path / "images", room.images[:6])
+    result = corvo.run(files, camera=room.camera)
+    (files / "0003.png").unlink()
+    assert [image is not None for image, _ in shown(result)] == [True] * 3 + [False] * 3
+    shutil.rmtree(files)
+    process = save(result.folder, tmp_path / "result.rrd")
+    assert process.returncode == 0
+    assert process.stderr.startswith(f"corvo: the images are not shown: {files}: no such folder")
+    recording = Recording(tmp_path / "result.rrd")
+    assert recording.frames("/series/matches") == list(range(6))
+    assert recording.frames("/world/camera/image") == []
 
 
 def test_a_landmark_is_recorded_once(replayed: Saved, command_result: Path) -> None:
@@ -277,6 +363,13 @@ def test_a_folder_that_is_no_input_is_an_error_that_names_it(tmp_path: Path) -> 
     assert process.returncode == 1
     assert process.stderr.startswith("corvo: error: ") and "missing" in process.stderr
     assert not (tmp_path / "no.rrd").exists()
+
+
+def test_messages_are_those_of_the_command(room: Sequence, tmp_path: Path) -> None:
+    files = write_png(tmp_path / "images", room.images[:3])
+    process = save(tmp_path, tmp_path / "live.rrd", "--camera", room.folder / "camera.yaml")
+    assert process.returncode == 0
+    assert process.stderr.startswith(f"corvo: info: {tmp_path}: has its images in {files}\n")
 
 
 def test_a_result_takes_no_options_of_a_run(command_result: Path, tmp_path: Path) -> None:

@@ -7,11 +7,11 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import NUM_FRAMES, Sequence
 
 from corvo import vslam_lab
-from corvo.result_poses import ResultPose, largest_segment
 
 
 @pytest.fixture(scope="module")
@@ -86,9 +86,9 @@ def test_arguments_may_be_written_with_colons(laboratory: Path, tmp_path: Path) 
 
 
 def test_only_the_largest_segment_is_written() -> None:
-    poses = [ResultPose(i, segment, (0, 0, 0), (0, 0, 0, 1)) for i, segment in enumerate([0, 1, 1])]
-    assert largest_segment(poses) == poses[1:]
-    assert largest_segment([]) == []
+    chosen = vslam_lab.in_largest_segment(np.array([0, 0, 1, 1, 1, 2, 2, 2]))
+    assert chosen.tolist() == [False, False, True, True, True, False, False, False]
+    assert len(vslam_lab.in_largest_segment(np.empty(0, np.int64))) == 0
 
 
 @pytest.mark.parametrize(

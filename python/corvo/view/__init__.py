@@ -3,7 +3,7 @@
 
 from corvo.view.live import LiveView
 from corvo.view.recorder import Intrinsics, Recorder
-from corvo.view.result import Result, record_result
+from corvo.view.result import record_result
 from corvo.view.sink import Sink
 from corvo.view.viewer import make_stream, save_to, show
 
@@ -11,7 +11,6 @@ __all__ = [
     "Intrinsics",
     "LiveView",
     "Recorder",
-    "Result",
     "Sink",
     "make_stream",
     "record_result",

@@ -9,11 +9,12 @@ from pathlib import Path
 import rerun as rr
 
 import corvo
+from corvo import _corvo
 from corvo._corvo import Inputs
 from corvo.commands import report
 from corvo.view.live import LiveView
 from corvo.view.recorder import Intrinsics, Recorder
-from corvo.view.result import Result, align_truth, record_result
+from corvo.view.result import align_truth, record_result
 from corvo.view.sink import Sink
 from corvo.view.viewer import make_stream, save_to, show
 
@@ -34,6 +35,7 @@ Examples:
 
 def main(arguments: list[str]) -> int:
     """Executes the command and returns its exit code."""
+    _corvo._set_up_logging()
     known, options = _make_parser().parse_known_args(arguments)
     try:
         _view(known.input, known.save, options)
@@ -64,14 +66,14 @@ def _view(given: str, file: Path | None, options: list[str]) -> None:
     is_result = (Path(given) / "frames.csv").is_file()
     if is_result and options:
         raise corvo.Error(f"{options[0]}: a result takes no option but --save")
-    source = Result(Path(given)) if is_result else Inputs([given, *options])
+    source = corvo.Result(given) if is_result else Inputs([given, *options])
     stream = make_stream()
     if file is None:
         show(stream)
     else:
         save_to(stream, file)
-    if isinstance(source, Result):
-        record_result(source, Recorder(stream, source.intrinsics))
+    if isinstance(source, corvo.Result):
+        record_result(source, Recorder(stream, Intrinsics.of(source.camera)))
     else:
         _run(source, stream)
     stream.disconnect()

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Reads the folder of a finished run and logs it as if it were running."""
 
-import csv
-import json
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,10 +9,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 import corvo
-from corvo.view.recorder import Intrinsics, Recorder
+from corvo._corvo import ResultImages
+from corvo.view.recorder import Recorder
 
 _PLY_POINT = np.dtype(
     [
@@ -24,6 +23,12 @@ _PLY_POINT = np.dtype(
         ("observations", "<i4"),
     ]
 )
+
+
+_NamedImage = tuple[str, NDArray[np.uint8] | None, NDArray[np.uint8] | None]
+"""The name of an image as in frames.csv, the image and its mask."""
+
+_NO_IMAGE: _NamedImage = ("", None, None)
 
 
 @dataclass(frozen=True)
@@ -50,44 +55,32 @@ class ResultFrame:
     parallax_deg: float
     keypoints: NDArray[np.float64]
     landmarks: NDArray[np.int64]
-    image_file: Path | None
+    image_name: str
     latency_ms: float | None
 
 
-class Result:
-    """The folder that `corvo run` has written.
+class Replay:
+    """What a finished run found, in the order in which a running odometry finds it.
 
     Raises:
-        Error: A file is missing or malformed.
+        Error: A file of the result is missing.
     """
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        if not (folder / "frames.csv").is_file():
-            raise corvo.Error(f"{folder}: is not the result of a run; it has no frames.csv")
-        self.summary: dict[str, Any] = json.loads((folder / "summary.json").read_text())
-        self._rows = self._read_table("frames.csv")
-        times, poses = corvo.read_tum(folder / "trajectory.tum")
-        self._poses = dict(zip(times.tolist(), poses))
+    def __init__(self, result: corvo.Result) -> None:
+        self._result = result
+        self._poses = dict(zip(result.timestamps_ns.tolist(), result.world_from_camera))
         self._covariances = {
-            int(row["index"]): _covariance(row) for row in self._read_table("relative_poses.csv")
+            int(row["index"]): _covariance(row) for row in result.read_table("relative_poses.csv")
         }
-        observations = np.load(folder / "observations.npy")
+        observations = np.load(result.file("observations.npy"))
         order = np.argsort(observations["frame"], kind="stable")
         self._observations = observations[order]
 
-    @property
-    def intrinsics(self) -> Intrinsics:
-        return Intrinsics.of(corvo.Camera.load(self._folder / "camera_estimated.yaml"))
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
     def frames(self) -> Iterator[ResultFrame]:
         """Yields the frames in the order of their images."""
-        latencies = [float(row["total_ms"]) for row in self._read_table("timing.csv")]
+        latencies = [float(row["total_ms"]) for row in self._result.read_table("timing.csv")]
         numbers = self._observations["frame"]
-        for row, latency_ms in zip(self._rows, latencies, strict=True):
+        for row, latency_ms in zip(self._result.rows, latencies, strict=True):
             index = int(row["index"])
             first, last = np.searchsorted(numbers, [index, index + 1])
             yield self._frame(row, self._observations[first:last], latency_ms)
@@ -98,12 +91,13 @@ class Result:
         A landmark is shown at the first keyframe from its first observation on; without one, at the
         last keyframe.
         """
-        points = _read_map(self._folder / "map.ply")
-        keyframes = np.array([int(row["index"]) for row in self._rows if row["keyframe"] == "1"])
+        points = _read_map(self._result.file("map.ply"))
+        rows = self._result.rows
+        keyframes = np.array([int(row["index"]) for row in rows if row["keyframe"] == "1"])
         if len(keyframes) == 0:
             return {}
-        ids, rows = np.unique(self._observations["landmark"], return_index=True)
-        first_frames = dict(zip(ids.tolist(), self._observations["frame"][rows].tolist()))
+        ids, firsts = np.unique(self._observations["landmark"], return_index=True)
+        first_frames = dict(zip(ids.tolist(), self._observations["frame"][firsts].tolist()))
         seen = np.array([first_frames.get(id, 0) for id in points["id"].tolist()])
         shown = np.minimum(np.searchsorted(keyframes, seen), len(keyframes) - 1)
         return {
@@ -113,8 +107,8 @@ class Result:
 
     def truth(self) -> NDArray[np.float64] | None:
         """Returns the true path in the world of the trajectory, shape (n, 3), if it is known."""
-        file = self._folder / "groundtruth.tum"
-        evaluation = self.summary.get("evaluation")
+        file = self._result.folder / "groundtruth.tum"
+        evaluation = self._result.summary.get("evaluation")
         if evaluation is None or not file.is_file():
             return None
         positions = corvo.read_tum(file)[1][:, :3, 3]
@@ -140,33 +134,27 @@ class Result:
             parallax_deg=float(row["parallax"]),
             keypoints=np.stack([observations["x"], observations["y"]], axis=-1).astype(float),
             landmarks=observations["landmark"].astype(np.int64),
-            image_file=self._image_file(row["image"]),
+            image_name=row["image"],
             latency_ms=latency_ms,
         )
 
-    def _image_file(self, name: str) -> Path | None:
-        folder = self.summary["image_folder"]
-        file = None if folder is None else Path(folder) / name
-        return file if file is not None and file.is_file() else None
 
-    def _read_table(self, name: str) -> list[dict[str, str]]:
-        with open(self._folder / name, newline="") as file:
-            return list(csv.DictReader(file))
-
-
-def record_result(result: Result, recorder: Recorder) -> None:
-    """Logs a finished run, with its images where they are still in their files."""
-    landmarks = result.new_landmarks()
-    size = (result.intrinsics.width, result.intrinsics.height)
-    for frame in result.frames():
-        image = None if frame.image_file is None else _read_image(frame.image_file, size)
-        recorder.frame(frame, image, latency_ms=frame.latency_ms)
+def record_result(result: corvo.Result, recorder: Recorder) -> None:
+    """Logs a finished run, with its images where its input still has them."""
+    replay = Replay(result)
+    landmarks = replay.new_landmarks()
+    images = _open_images(result.folder)
+    for frame in replay.frames():
+        name, image, mask = next(images, _NO_IMAGE)
+        if name != frame.image_name:  # The input has changed since.
+            image = mask = None
+        recorder.frame(frame, image, mask, frame.latency_ms)
         if frame.index in landmarks:
             recorder.landmarks(*landmarks[frame.index])
     for name, estimate in result.summary.get("calibration", {}).items():
         if isinstance(estimate, dict):
             recorder.camera(name, estimate["value"], estimate["sigma"])
-    truth = result.truth()
+    truth = replay.truth()
     if truth is not None:
         recorder.truth(truth)
     recorder.finish()
@@ -207,13 +195,10 @@ def _read_map(file: Path) -> NDArray[Any]:
     return np.frombuffer(data, _PLY_POINT, offset=data.index(end) + len(end))
 
 
-def _read_image(file: Path, size: tuple[int, int]) -> NDArray[np.uint8]:
-    """Reads an image as 8-bit gray or RGB, of the size (width, height) that the run used. The gray
-    levels of 16-bit images are spread to the range of 8 bits."""
-    with Image.open(file) as stored:
-        image: Image.Image = stored
-        if image.mode.startswith(("I", "F")):
-            levels = np.asarray(image, float)
-            image = Image.fromarray((255 / max(levels.max(), 1) * levels).astype(np.uint8))
-        used = image.convert("L" if image.mode in ("1", "L", "LA") else "RGB")
-        return np.asarray(used if used.size == size else used.resize(size))
+def _open_images(folder: Path) -> Iterator[_NamedImage]:
+    """Opens the images of a result; if they cannot be read, says why and returns none."""
+    try:
+        return iter(ResultImages(folder))
+    except corvo.Error as error:
+        print(f"corvo: the images are not shown: {error}", file=sys.stderr)
+        return iter(())
