@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bench/percentile.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 

@@ -8,10 +8,10 @@
 
 #include "bench/benchmarks.h"
 #include "bench/paired_times.h"
-#include "bench/percentile.h"
 #include "bench/staged_extractor.h"
 #include "orb/error.h"
 #include "orb/kernels/instruction_sets.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 namespace {

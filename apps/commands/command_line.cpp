@@ -8,18 +8,20 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/sinks/ansicolor_sink-inl.h>
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "apps/commands/commands.h"
 #include "apps/commands/shorthand.h"
+#include "apps/output/decoder_messages.h"
 #include "apps/output/error_text.h"
 #include "apps/output/log_format.h"
 #include "orb/error.h"
@@ -104,8 +106,10 @@ int Execute(const std::vector<std::string>& arguments, Parser& parser) {
 
 void SetUpLogging() {
   const bool has_colors = std::getenv("NO_COLOR") == nullptr;  // See no-color.org.
-  spdlog::set_default_logger(spdlog::stderr_color_st(
-      "corvo", has_colors ? spdlog::color_mode::automatic : spdlog::color_mode::never));
+  using Sink = spdlog::sinks::ansicolor_stderr_sink<MessageLock>;
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>(
+      "corvo", std::make_shared<Sink>(has_colors ? spdlog::color_mode::automatic
+                                                 : spdlog::color_mode::never)));
   spdlog::set_formatter(MakeLogFormatter());
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }

@@ -45,6 +45,7 @@ constexpr const char* kRunFooter = R"(Examples:
   corvo run sequences/03 --draw film.mp4 -o result    # with a film of the tracked features
   corvo run sequences/03 --plot figure.pdf -o result  # with a vector graphic for a paper
   corvo run sequences/03 --camera-height 1.65 -o result  # in meters
+  corvo run drive.mp4 --camera phone.yaml --realtime -o result  # ... as fast as it was taken
   corvo run camera:0 --camera webcam.yaml --count 1000 -o result
 
 Exit codes: 0 done, 1 invalid usage, configuration or input, 2 never initialized, 3 lost part-way,
@@ -82,12 +83,13 @@ void CheckPlot(const RunArguments& arguments) {
 }
 
 /// Prints what the run has found, and returns its exit code. `folder` has the results.
-int Report(const RunArguments& arguments, const RunSummary& summary,
+int Report(const RunArguments& arguments, const RunRecord& record, const RunSummary& summary,
            const std::filesystem::path& folder) {
   if (arguments.json) {
     fmt::print("{}", ReadFileBytes(folder / "summary.json", kMaxTextBytes));
   } else if (summary.end.is_complete() && spdlog::should_log(spdlog::level::info)) {
     fmt::print("{}", Printable(SummaryText(arguments, summary)));
+    if (record.realtime) fmt::print("{}", ToText(*record.realtime));
   }
   if (summary.end.is_complete()) return static_cast<int>(summary.outcome);
   spdlog::error("{}, after {}; the partial result is in {}", summary.end.why, FramesText(summary),
@@ -113,7 +115,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
   const std::filesystem::path folder = CommitResults(record.end, arguments.output, output);
   plot.Draw(MakeRunPlot(arguments, inputs, record, summary), record.end.is_complete());
   drawings.Finish(record.end.is_complete());
-  return Report(arguments, summary, folder);
+  return Report(arguments, record, summary, folder);
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
@@ -192,6 +194,10 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
           "estimate: estimate the camera, with its standard deviations as prior; fixed: use the "
           "camera exactly as given (default: as set by calibration.enabled in --config)")
       ->check(CLI::IsMember({"estimate", "fixed"}));
+  command->add_flag("--realtime", arguments->realtime,
+                    "take each image when a camera would deliver it, drop those that come while an "
+                    "older one is processed, and print the latencies; always so with a connected "
+                    "camera");
   command
       ->add_option("--threads", arguments->threads, "number of threads; does not affect the result")
       ->check(CLI::Range(1, 256))

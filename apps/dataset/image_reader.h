@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "apps/codecs/codecs.h"
 #include "apps/dataset/gray_levels.h"
 #include "apps/dataset/image_list.h"
 #include "vo/core/conventions.h"
@@ -47,6 +49,10 @@ class ImageReader {
   /// Skips the next image. Returns false after the last.
   virtual bool Skip() = 0;
 
+  /// From another thread, ends the wait for a connected camera: Read() and Skip() then find the
+  /// end.
+  virtual void Cancel() {}
+
   /// Returns std::nullopt unless this is a video file or bag.
   virtual std::optional<VideoFrames> video_frames() const { return std::nullopt; }
 
@@ -67,9 +73,14 @@ std::unique_ptr<ImageReader> OpenFiles(std::vector<TimedFile> files, std::option
 std::unique_ptr<ImageReader> OpenVideo(const std::filesystem::path& file,
                                        std::optional<double> frame_rate_hz);
 
-/// Opens a connected camera. Timestamps count from its opening. Throws corvo::Error if there is no
-/// such camera.
+/// Opens a connected camera. Timestamps count from its opening. A camera that stops delivering
+/// images is opened again, until it is back or ImageReader::Cancel() is called. Throws corvo::Error
+/// if there is no such camera.
 std::unique_ptr<ImageReader> OpenCamera(int device);
+
+/// Like OpenCamera(), but for a camera that `open` opens, or returns null. Messages call it `name`.
+std::unique_ptr<ImageReader> OpenCamera(std::function<std::unique_ptr<VideoInput>()> open,
+                                        const std::string& name);
 
 /// Reads an image as 8- or 16-bit gray, as it is stored. Color is converted to 0.299 R + 0.587 G +
 /// 0.114 B (the luma of JPEG). The orientation of EXIF is ignored, with a warning for the first

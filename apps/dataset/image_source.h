@@ -59,6 +59,10 @@ class ImageSource {
   /// Skips the next image without decoding it. Returns false after the last.
   bool Skip();
 
+  /// From another thread, ends a call of Next() that waits for a connected camera, and all later
+  /// ones.
+  void Cancel() { reader_->Cancel(); }
+
   /// Returns the number of selected images (an upper bound unless they are files), or std::nullopt
   /// if it is unknown.
   std::optional<int> size() const;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,10 +50,11 @@ class CaptureReader : public ImageReader {
 
   /// The capture reports damage like the end; only another attempt tells them apart.
   bool Skip() override {
+    if (!input_) return false;
     const int max_damaged = std::min(frames_.num_promised - index_ - 2, kMaxDamagedInARow);
     int num_damaged = 0;
     while (!Grab()) {
-      if (++num_damaged <= max_damaged) continue;
+      if (++num_damaged <= max_damaged || TakeUpAgain()) continue;
       frames_.is_cut_off = IsCutOff(frames_, !complaint_.empty());
       return false;
     }
@@ -63,6 +67,9 @@ class CaptureReader : public ImageReader {
 
  protected:
   const VideoInput& input() const { return *input_; }
+  /// Null closes the input; another one is then set before the next image is grabbed.
+  void SetInput(std::unique_ptr<VideoInput> input) { input_ = std::move(input); }
+  const std::string& name() const { return name_; }
 
   VideoFrames frames_;
 
@@ -105,6 +112,8 @@ class CaptureReader : public ImageReader {
   /// Returns whether the last frames are missing. `has_errors` tells whether the decoder
   /// complained.
   virtual bool IsCutOff(const VideoFrames&, bool /*has_errors*/) const { return false; }
+  /// Opens an input that has ended again. Returns false if that is not its end.
+  virtual bool TakeUpAgain() { return false; }
   /// Returns whether the grabbed frame is known to have another size than the first.
   virtual bool HasOtherSize() { return false; }
   /// Returns a copy of an image, turned as it was taken.
@@ -192,16 +201,41 @@ class VideoReader : public CaptureReader {
 
 class CameraReader : public CaptureReader {
  public:
-  using CaptureReader::CaptureReader;
+  using Opener = std::function<std::unique_ptr<VideoInput>()>;
+
+  CameraReader(Opener open, std::unique_ptr<VideoInput> input, std::string name)
+      : CaptureReader(std::move(input), std::move(name)), open_(std::move(open)) {}
+
+  void Cancel() override { is_canceled_ = true; }
 
  private:
   TimeNs TimeOfGrabbed(const VideoInput&, int index, TimeNs before) override {
+    has_stopped_ = false;
     const TimeNs time_ns = std::chrono::nanoseconds(Clock::now() - opened_).count();
     return index == 0 ? time_ns : std::max(time_ns, before + 1);
   }
 
+  bool TakeUpAgain() override {
+    constexpr std::chrono::milliseconds kPause(100);
+    if (frames_.num_read == 0) return false;
+    if (!has_stopped_) spdlog::warn("{}: delivers no images; waiting for it", name());
+    has_stopped_ = true;
+    SetInput(nullptr);  // Many devices can be opened only once at a time.
+    while (!is_canceled_) {
+      std::this_thread::sleep_for(kPause);
+      std::unique_ptr<VideoInput> input = open_();
+      if (!input) continue;
+      SetInput(std::move(input));
+      return true;
+    }
+    return false;
+  }
+
   using Clock = std::chrono::steady_clock;
   Clock::time_point opened_ = Clock::now();
+  Opener open_;
+  bool has_stopped_ = false;
+  std::atomic<bool> is_canceled_ = false;
 };
 
 }  // namespace
@@ -222,10 +256,15 @@ std::unique_ptr<ImageReader> OpenVideo(const fs::path& file, std::optional<doubl
 }
 
 std::unique_ptr<ImageReader> OpenCamera(int device) {
-  const std::string name = fmt::format("camera:{}", device);
-  std::unique_ptr<VideoInput> input = GetCodecs().OpenCamera(device);
+  return OpenCamera([device] { return GetCodecs().OpenCamera(device); },
+                    fmt::format("camera:{}", device));
+}
+
+std::unique_ptr<ImageReader> OpenCamera(std::function<std::unique_ptr<VideoInput>()> open,
+                                        const std::string& name) {
+  std::unique_ptr<VideoInput> input = open();
   if (!input) throw Error(fmt::format("{}: there is no such camera", name));
-  return std::make_unique<CameraReader>(std::move(input), name);
+  return std::make_unique<CameraReader>(std::move(open), std::move(input), name);
 }
 
 }  // namespace corvo

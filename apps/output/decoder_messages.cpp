@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <mutex>
 
 namespace corvo {
 namespace {
 
-std::mutex mutex;
 std::atomic<int> standard_error{STDERR_FILENO};
 
 /// The temporary file of the messages and a copy of the descriptor of standard error, or -1 where
@@ -48,8 +46,13 @@ bool CanCatch() { return TheCatch().file >= 0 && TheCatch().copy >= 0; }
 
 }  // namespace
 
+MessageLock::mutex_t& MessageLock::mutex() {
+  static mutex_t mutex;
+  return mutex;
+}
+
 DecoderMessages::DecoderMessages() {
-  mutex.lock();
+  MessageLock::mutex().lock();
   if (!CanCatch()) return;
   standard_error = TheCatch().copy;
   dup2(TheCatch().file, STDERR_FILENO);
@@ -61,7 +64,7 @@ DecoderMessages::~DecoderMessages() {
     dup2(TheCatch().copy, STDERR_FILENO);
     standard_error = STDERR_FILENO;
   }
-  mutex.unlock();
+  MessageLock::mutex().unlock();
 }
 
 std::string DecoderMessages::Take() {

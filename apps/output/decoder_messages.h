@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <mutex>
 #include <string>
 
 namespace corvo {
@@ -17,6 +18,13 @@ class DecoderMessages {
 
   /// Returns the first line that was caught since the last call, or an empty text.
   std::string Take();
+};
+
+/// Held while the program prints messages of its own, so that no other thread catches them: the
+/// lock of spdlog's sinks, too.
+struct MessageLock {
+  using mutex_t = std::recursive_mutex;
+  static mutex_t& mutex();
 };
 
 /// Returns the descriptor of standard error, also while its messages are caught. May be called in a

@@ -121,12 +121,14 @@ std::vector<FrameRow> ReadFrameTable(const std::filesystem::path& file) {
 }
 
 std::string TimingTable(const std::vector<FrameTiming>& timings) {
-  std::string table = "index,read_ms,extract_ms,locate_ms,map_ms,adjust_ms,total_ms\n";
+  std::string table = "index,read_ms,extract_ms,locate_ms,map_ms,adjust_ms,total_ms,latency_ms\n";
   for (std::size_t i = 0; i < timings.size(); ++i) {
     const FrameTiming& timing = timings[i];
-    table += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", i, timing.read_ms,
+    table += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},", i, timing.read_ms,
                          timing.stages.extract_ms, timing.stages.locate_ms, timing.stages.map_ms,
                          timing.stages.adjust_ms, timing.total_ms);
+    if (timing.latency_ms) table += fmt::format("{:.3f}", *timing.latency_ms);
+    table += '\n';
   }
   return table;
 }

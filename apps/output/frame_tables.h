@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct FrameTiming {
   double read_ms = 0;  ///< Reading and decoding the image.
   StageTimes stages;
   double total_ms = 0;  ///< The whole call of Odometry::Process().
+  /// From when the image was due until its pose was known; set if images are taken in real time.
+  std::optional<double> latency_ms;
 };
 
 /// Returns CSV with a header and one row per input frame. Timestamps are seconds with nine
@@ -40,7 +43,7 @@ struct FrameRow {
 /// Reads a table of FrameTable(). Throws corvo::Error with file and line if it is malformed.
 std::vector<FrameRow> ReadFrameTable(const std::filesystem::path& file);
 
-/// Returns CSV with a header and one row per input frame.
+/// Returns CSV with a header and one row per input frame. A latency that is not set is empty.
 std::string TimingTable(const std::vector<FrameTiming>& timings);
 
 }  // namespace corvo

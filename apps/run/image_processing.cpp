@@ -10,6 +10,7 @@
 #include "apps/run/metric_result.h"
 #include "apps/run/progress.h"
 #include "apps/run/progress_line.h"
+#include "apps/run/realtime_images.h"
 #include "apps/run/stopwatch.h"
 #include "vo/offline/expected_drift.h"
 
@@ -28,6 +29,13 @@ RunRecord MakeRecord(const RunInputs& inputs, const RunArguments& arguments) {
   record.odometry.SetObservationCallback(record.observations.Callback());
   if (arguments.keyframe_features) record.features.emplace();
   return record;
+}
+
+/// Returns what the latencies of all frames were.
+RealtimeReport MakeReport(const RealtimeImages& images, const std::vector<FrameTiming>& timings) {
+  RealtimeReport report{images.num_dropped(), {}};
+  for (const FrameTiming& timing : timings) report.latencies_ms.push_back(*timing.latency_ms);
+  return report;
 }
 
 RunEnd EndBySignal(int signal) {
@@ -53,24 +61,32 @@ class ImageLoop {
         drawings_(drawings),
         checkpoint_(checkpoint) {}
 
-  /// Processes images until their end or a signal.
+  /// Processes images one after the other until their end or a signal.
   void Run(ImageSource& source, const Interruption& interruption, RunRecord& record) {
     while (const std::optional<TimedImage> next = source.Next()) {
       Process(*next, record);
-      const int signal = interruption.PendingSignal();
-      if (signal == 0) continue;
-      // The sequence of a live camera ends when the user stops it.
-      if (!source.is_live()) record.end = EndBySignal(signal);
-      return;
+      if (interruption.IsRequested()) return;
     }
   }
 
+  /// Like Run(), but takes the images when a camera would deliver them.
+  void RunInRealtime(ImageSource& source, const Interruption& interruption, RunRecord& record) {
+    RealtimeImages images(source, interruption);
+    while (const std::optional<TimedImage> next = images.Next()) {
+      Process(*next, record, &images);
+      if (interruption.IsRequested()) break;
+    }
+    record.realtime = MakeReport(images, record.timings);
+  }
+
  private:
-  void Process(const TimedImage& next, RunRecord& record) {
+  void Process(const TimedImage& next, RunRecord& record,
+               const RealtimeImages* realtime = nullptr) {
     FrameTiming timing;
     timing.read_ms = watch_.LapMs();
     const FrameResult frame = ProcessImage(next, record);
     timing.total_ms = watch_.LapMs();
+    if (realtime != nullptr) timing.latency_ms = realtime->LatencyMs();
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
     record.images.push_back(names_.Of(next));
@@ -100,6 +116,21 @@ class ImageLoop {
   Stopwatch watch_;
 };
 
+void ProcessImages(const RunArguments& arguments, const Interruption& interruption,
+                   RunInputs& inputs, TrackDrawings& drawings, Checkpoint& checkpoint,
+                   RunRecord& record) {
+  ImageLoop loop(arguments, inputs, drawings, checkpoint);
+  if (arguments.realtime || inputs.source.is_live()) {
+    loop.RunInRealtime(inputs.source, interruption, record);
+  } else {
+    loop.Run(inputs.source, interruption, record);
+  }
+  // The sequence of a live camera ends when the user stops it.
+  if (interruption.IsRequested() && !inputs.source.is_live()) {
+    record.end = EndBySignal(interruption.PendingSignal());
+  }
+}
+
 /// Refines the recorded sequence as a whole and shows the progress. Interrupted, leaves the record
 /// unrefined.
 void RefineRecord(const Interruption& interruption, bool is_live, RunRecord& record) {
@@ -125,7 +156,7 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
   RunRecord record = MakeRecord(inputs, arguments);
   Stopwatch watch;
   try {
-    ImageLoop(arguments, inputs, drawings, checkpoint).Run(inputs.source, interruption, record);
+    ProcessImages(arguments, interruption, inputs, drawings, checkpoint, record);
   } catch (const std::exception& error) {
     if (record.timings.empty()) throw;
     record.end = {ErrorText(error), kFailed};

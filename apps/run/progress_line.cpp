@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <spdlog/spdlog.h>
+
+#include "apps/output/decoder_messages.h"
 
 namespace corvo {
 namespace {
@@ -43,6 +46,7 @@ ProgressLine::ProgressLine()
     : is_terminal_(spdlog::should_log(spdlog::level::info) && isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
+  const std::scoped_lock lock(MessageLock::mutex());
   if (is_terminal_) std::fputs(kEraseLine, stderr);
 }
 
@@ -51,6 +55,7 @@ void ProgressLine::Show(std::optional<double> share, const std::string& text) {
   const double now_ms = watch_.ElapsedMs();
   if (now_ms - last_drawn_ms_ < kMsBetweenBars && share != 1.0) return;
   last_drawn_ms_ = now_ms;
+  const std::scoped_lock lock(MessageLock::mutex());
   std::fputs((kEraseLine + ProgressBar(share, text, TerminalColumns() - 1)).c_str(), stderr);
 }
 

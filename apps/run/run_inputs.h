@@ -37,9 +37,10 @@ struct RunArguments {
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty for the original size.
   int threads = 1;
-  bool strict = false;  ///< Whether an image that cannot be read or has another size is an error.
-  bool force = false;   ///< Whether files that are not corvo's are replaced.
-  bool json = false;    ///< Print summary.json instead of a text.
+  bool realtime = false;  ///< Whether images are taken when a camera would deliver them.
+  bool strict = false;    ///< Whether an image that cannot be read or has another size is an error.
+  bool force = false;     ///< Whether files that are not corvo's are replaced.
+  bool json = false;      ///< Print summary.json instead of a text.
   bool keyframe_features = false;  ///< Write the features of the keyframes.
   bool refine = false;             ///< Refine the whole sequence after the last frame.
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.

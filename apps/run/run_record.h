@@ -12,6 +12,7 @@
 #include "apps/output/keyframe_features.h"
 #include "apps/output/landmark_colors.h"
 #include "apps/output/landmark_spool.h"
+#include "apps/output/realtime_report.h"
 #include "vo/odometry.h"
 #include "vo/offline/calibration_check.h"
 #include "vo/offline/metric_scale.h"
@@ -47,6 +48,7 @@ struct RunRecord {
   LandmarkColors colors;
   std::optional<KeyframeFeatureSpool> features;  ///< Of the keyframes, if they are to be written.
   std::map<Reason, std::string> first_errors;    ///< The first missing image of each reason.
+  std::optional<RealtimeReport> realtime;        ///< Set if images were taken in real time.
   double elapsed_s = 0;
   RunEnd end;
 

@@ -122,7 +122,9 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
-  WriteJson(DescribeEnvironment(arguments.threads, record.elapsed_s), "environment.json", output);
+  nlohmann::ordered_json environment = DescribeEnvironment(arguments.threads, record.elapsed_s);
+  if (record.realtime) environment["realtime"] = ToJson(*record.realtime);
+  WriteJson(environment, "environment.json", output);
   const TrajectoryPlot plot = MakeRunPlot(arguments, inputs, record, summary);
   if (!DrawTrajectory(plot, output.Stage("trajectory.png"))) WarnOfMissingPlot("trajectory.png");
 }

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "bench/calibration/statistics.h"
-#include "bench/percentile.h"
 #include "tests/support/random.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/output/gnuplot.h"
-#include "bench/percentile.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 namespace {

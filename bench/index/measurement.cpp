@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include "bench/clocks.h"
-#include "bench/percentile.h"
 #include "orb/kernels/nearest_two.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 namespace {

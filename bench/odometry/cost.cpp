@@ -6,7 +6,7 @@
 
 #include "bench/clocks.h"
 #include "bench/paired_times.h"
-#include "bench/percentile.h"
+#include "vo/math/percentile.h"
 #include "vo/odometry.h"
 
 namespace corvo::bench {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/percentile.h"
+#include "vo/math/percentile.h"
 
 namespace corvo::bench {
 namespace {

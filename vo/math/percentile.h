@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace corvo::bench {
+namespace corvo {
 
 /// Returns the value below which `percent` (0 to 100) of the values lie, interpolated between
 /// neighbors: 0 is the least, 50 the median, 100 the greatest. There is at least one value.
@@ -18,4 +18,4 @@ inline double Percentile(std::vector<double> values, double percent) {
   return values[below] + fraction * (values[above] - values[below]);
 }
 
-}  // namespace corvo::bench
+}  // namespace corvo

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/percentile.h"
+#include "vo/math/percentile.h"
 
 #include <gtest/gtest.h>
 
-namespace corvo::bench {
+namespace corvo {
 namespace {
 
 TEST(PercentileTest, FiftiethPercentileIsTheMedian) {
@@ -22,4 +22,4 @@ TEST(PercentileTest, SingleValueIsEveryPercentile) {
 }
 
 }  // namespace
-}  // namespace corvo::bench
+}  // namespace corvo
