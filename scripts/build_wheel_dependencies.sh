@@ -81,17 +81,18 @@ build_zlib() (
 # What corvo's results depend on is as in Debian's OpenCV: the instruction sets, the optimization, and
 # Eigen, with which essential matrices are estimated. It starts no threads.
 build_opencv() {
-  local unwanted=(1394 ADE FFMPEG GSTREAMER GTK IMGCODEC_HDR IMGCODEC_PFM IMGCODEC_SUNRASTER IPP
-    ITT JASPER LAPACK OPENCL OPENEXR OPENJPEG PROTOBUF PTHREADS_PF QUIRC TIFF V4L VA VTK WEBP)
+  local unwanted=(ADE GTK IMGCODEC_HDR IMGCODEC_PFM IMGCODEC_SUNRASTER IPP ITT JASPER LAPACK OPENCL
+    OPENEXR OPENJPEG PROTOBUF PTHREADS_PF QUIRC TIFF VA VTK WEBP)
   unwanted=("${unwanted[@]/#/-DWITH_}")
-  build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=calib3d,videoio \
+  build opencv "${unwanted[@]/%/=OFF}" -DBUILD_LIST=calib3d,imgcodecs \
     -DWITH_EIGEN=ON -DCPU_BASELINE=SSE2 -DCPU_BASELINE_DISABLE=SSE3 -DCV_TRACE=OFF \
     -DBUILD_TESTS=OFF -DBUILD_PERF_TESTS=OFF -DBUILD_JAVA=OFF -DBUILD_opencv_apps=OFF \
-    -DOPENCV_GENERATE_SETUPVARS=OFF -DVIDEOIO_ENABLE_PLUGINS=OFF -DENABLE_CCACHE=OFF \
+    -DOPENCV_GENERATE_SETUPVARS=OFF -DENABLE_CCACHE=OFF \
     -DENABLE_PRECOMPILED_HEADERS=ON "-DCMAKE_CXX_FLAGS=-isystem /usr/include/eigen3"
   cp -t "$prefix/licenses/opencv" "$prefix"/share/licenses/opencv4/*
 }
 
+# It prints only what ends the program: corvo reports how its adjustments end.
 # Its solvers by the Schur complement are compiled only for the sizes of corvo's blocks (residuals,
 # points, poses), and for any size: each of the other 19 takes 20 s.
 build_ceres() {
@@ -101,7 +102,7 @@ build_ceres() {
       generate_template_specializations.py
     /usr/bin/python3 generate_template_specializations.py
   )
-  build ceres-solver -DMINIGLOG=ON -DEIGENSPARSE=ON -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF \
+  build ceres-solver -DMINIGLOG=ON -DMINIGLOG_MAX_LOG_LEVEL=-3 -DEIGENSPARSE=ON -DSUITESPARSE=OFF -DCXSPARSE=OFF -DLAPACK=OFF \
     -DGFLAGS=OFF -DCUDA=OFF -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DBUILD_BENCHMARKS=OFF
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/decoder_messages.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,20 +13,16 @@ namespace {
 
 std::atomic<int> standard_error{STDERR_FILENO};
 
-/// The temporary file of the messages and a copy of the descriptor of standard error, or -1 where
-/// the system has none.
-struct Catch {
-  int file = -1;
-  int copy = -1;
-};
-
-const Catch& TheCatch() {
-  static const Catch opened = [] {
+/// Returns the descriptor of a temporary file for the messages, or -1 where the system has none.
+int MessageFile() {
+  static const int descriptor = [] {
     std::FILE* const file = std::tmpfile();
-    return Catch{file == nullptr ? -1 : fileno(file), dup(STDERR_FILENO)};
+    return file == nullptr ? -1 : fileno(file);
   }();
-  return opened;
+  return descriptor;
 }
+
+bool IsCatching() { return standard_error != STDERR_FILENO; }
 
 /// Removes the address in FFmpeg's "[h264 @ 0x55cd1914a580]", which differs from run to run.
 std::string WithoutAddress(std::string text) {
@@ -37,12 +34,7 @@ std::string WithoutAddress(std::string text) {
 }
 
 /// Returns false if the system cannot.
-bool Clear() {
-  const int file = TheCatch().file;
-  return ftruncate(file, 0) == 0 && lseek(file, 0, SEEK_SET) == 0;
-}
-
-bool CanCatch() { return TheCatch().file >= 0 && TheCatch().copy >= 0; }
+bool Clear() { return ftruncate(MessageFile(), 0) == 0 && lseek(MessageFile(), 0, SEEK_SET) == 0; }
 
 }  // namespace
 
@@ -53,25 +45,27 @@ MessageLock::mutex_t& MessageLock::mutex() {
 
 DecoderMessages::DecoderMessages() {
   MessageLock::mutex().lock();
-  if (!CanCatch()) return;
-  standard_error = TheCatch().copy;
-  dup2(TheCatch().file, STDERR_FILENO);
+  const int copy = MessageFile() < 0 ? -1 : fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (copy < 0) return;
+  standard_error = copy;
+  dup2(MessageFile(), STDERR_FILENO);
 }
 
 DecoderMessages::~DecoderMessages() {
-  if (CanCatch()) {
+  if (IsCatching()) {
     Clear();
-    dup2(TheCatch().copy, STDERR_FILENO);
+    const int copy = standard_error;
+    dup2(copy, STDERR_FILENO);
     standard_error = STDERR_FILENO;
+    close(copy);
   }
   MessageLock::mutex().unlock();
 }
 
 std::string DecoderMessages::Take() {
-  const int file = TheCatch().file;
-  if (!CanCatch() || lseek(file, 0, SEEK_CUR) == 0) return "";
+  if (!IsCatching() || lseek(MessageFile(), 0, SEEK_CUR) == 0) return "";
   char buffer[256];
-  const ssize_t size = pread(file, buffer, sizeof buffer, 0);
+  const ssize_t size = pread(MessageFile(), buffer, sizeof buffer, 0);
   if (!Clear() || size <= 0) return "";
   const std::string text(buffer, static_cast<std::size_t>(size));
   return WithoutAddress(text.substr(0, text.find('\n')));
