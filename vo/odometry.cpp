@@ -263,6 +263,7 @@ void Odometry::JoinSegments(Frame& frame) {
 
 FrameResult Odometry::Accept(Frame frame, const TrackingResult& tracking) {
   map_.CountSeen(tracking.visible, frame);
+  mapper_->AddFrame(frame, segment_, map_);
   RecordPosed(frame, tracking.num_matches, tracking.num_inliers);
   history_->outcome(frame.index).health.found_share = tracking.found_share();
   previous_.world_from_camera = history_->PoseOf(previous_.index, map_);

@@ -345,6 +345,7 @@ struct BundleAdjusterOptions {
   int points_per_keyframe = 100;  // ablation
   double huber_sigmas = 1;        // ablation
   int point_iterations = 5;       // ablation
+  int intermediate_frames = 1;    // ablation
   int min_latency_frames = 2;     // ablation
   int max_latency_frames = 4;     // ablation
 
@@ -363,6 +364,9 @@ struct BundleAdjusterOptions {
           "residual at which Huber's loss becomes linear, in standard deviations");
     field("point_iterations", self.point_iterations, 1, 1000,
           "iterations of a point that is adjusted alone");
+    field("intermediate_frames", self.intermediate_frames, 0, 30,
+          "frames between two keyframes that are adjusted with them, without becoming part of the "
+          "map");
     field("min_latency_frames", self.min_latency_frames, 1, 100,
           "least number of frames after which a result is used");
     field("max_latency_frames", self.max_latency_frames, 1, 100,

@@ -48,6 +48,8 @@ bool IsLessCertain(const CameraEstimate& estimate, const CameraEstimate& than) {
 BackgroundAdjuster::BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options)
     : prior_(CheckedPrior(prior, options.calibration)),
       options_(options),
+      intermediate_(options.bundle_adjuster.max_keyframes,
+                    options.bundle_adjuster.intermediate_frames),
       finished_(prior_, options.calibration.stated_share),
       estimate_(finished_.Estimate()),
       adjusted_to_(prior_.given) {}
@@ -118,17 +120,20 @@ bool BackgroundAdjuster::IsCalibrationDue(const Map& map) const {
 
 void BackgroundAdjuster::StartWindow(int frame, const Map& map) {
   window_.due_frame = frame + WindowLatency(map, options_.bundle_adjuster);
+  Bundle bundle = CopyBundle(map, SelectWindow(map, newest_, options_.bundle_adjuster));
+  intermediate_.AddTo(map, bundle);
   window_.result = std::async(
       std::launch::async,
       [camera = map.camera(), free = prior_.free,
        adjuster = BundleAdjuster(WindowAdjustment(options_.bundle_adjuster)),
-       points_per_view = options_.bundle_adjuster.points_per_keyframe](Bundle&& bundle) {
-        const AdjustmentSummary summary = adjuster.Adjust(camera, bundle);
-        KeyframeCovariance covariance = CovarianceOfViews({camera.parameters(), free}, bundle,
-                                                          SelectPoints(bundle, points_per_view));
-        return Result{std::move(bundle), summary, std::move(covariance)};
+       points_per_view = options_.bundle_adjuster.points_per_keyframe](Bundle&& window) {
+        const AdjustmentSummary summary = adjuster.Adjust(camera, window);
+        const Bundle keyframes = OnlyKeyframes(window);
+        KeyframeCovariance covariance = CovarianceOfViews({camera.parameters(), free}, keyframes,
+                                                          SelectPoints(keyframes, points_per_view));
+        return Result{std::move(window), summary, std::move(covariance)};
       },
-      CopyBundle(map, SelectWindow(map, newest_, options_.bundle_adjuster)));
+      std::move(bundle));
 }
 
 void BackgroundAdjuster::StartCalibration(int frame, const Map& map) {

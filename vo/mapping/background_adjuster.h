@@ -12,6 +12,7 @@
 #include "vo/map/map.h"
 #include "vo/mapping/camera_blocks.h"
 #include "vo/mapping/camera_estimator.h"
+#include "vo/mapping/intermediate_frames.h"
 #include "vo/optimization/bundle_adjuster.h"
 #include "vo/optimization/keyframe_covariance.h"
 
@@ -27,6 +28,15 @@ class BackgroundAdjuster {
  public:
   /// Throws corvo::Error if the prior is invalid.
   BackgroundAdjuster(const CameraPrior& prior, const OdometryOptions& options);
+
+  /// Adds a posed frame of a segment: if it is not the newest keyframe, later windows use what it
+  /// observes.
+  void AddFrame(const Frame& frame, int segment, const Map& map) {
+    intermediate_.Add(frame, segment, map);
+  }
+
+  /// Adapts to a join of segments.
+  void AdaptToJoin() { intermediate_.Clear(); }
 
   /// Starts an adjustment around the newest keyframe after `frame`, unless that has been started
   /// already or the result of the previous adjustment has not been applied.
@@ -91,6 +101,7 @@ class BackgroundAdjuster {
   OdometryOptions options_;
   Job<Result> window_;
   Job<CalibratedBundle> calibration_;
+  IntermediateFrames intermediate_;
   KeyframeCovariance window_covariance_;
   KeyframeId newest_ = kNoId;  // Keyframe whose window was adjusted last with the current camera.
   CameraBlocks finished_;      // All but the newest block.

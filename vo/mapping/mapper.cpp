@@ -53,6 +53,7 @@ KeyframeId Mapper::InsertKeyframe(Frame& frame, int segment, Map& map) {
 
 void Mapper::AdaptToJoin(const SegmentJoin& join, const Map& map) {
   edges_.JoinSegments(join);
+  adjuster_.AdaptToJoin();
   unfused_ = map.num_keyframes() - 1;
   uncertainty_.ComputeWindow(map, unfused_);
 }

@@ -43,6 +43,11 @@ class Mapper {
   /// that no single frame waits for both.
   KeyframeId InsertKeyframe(Frame& frame, int segment, Map& map);
 
+  /// Adds a posed frame of a segment, which improves the adjustments if it is not a keyframe.
+  void AddFrame(const Frame& frame, int segment, const Map& map) {
+    adjuster_.AddFrame(frame, segment, map);
+  }
+
   /// Adapts to a join of segments, which has merged landmarks around the newest keyframe: the next
   /// Update() fuses others there, as after its insertion.
   void AdaptToJoin(const SegmentJoin& join, const Map& map);

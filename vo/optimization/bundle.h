@@ -16,7 +16,7 @@ namespace corvo {
 /// adjustment works on the copy independently of changes to the map.
 struct Bundle {
   struct View {
-    KeyframeId keyframe = kNoId;
+    KeyframeId keyframe = kNoId;  ///< kNoId for a frame that is not a keyframe.
     bool is_fixed = false;
     SE3::Data local_from_camera;
 
@@ -34,13 +34,19 @@ struct Bundle {
   };
 
   SE3 world_from_local;
-  std::vector<View> views;                ///< In ascending order of keyframes.
+  std::vector<View> views;                ///< In ascending order of keyframes, then those without.
   std::vector<Point> points;              ///< In ascending order of landmarks.
   std::vector<Observation> observations;  ///< Grouped by point, in their order.
 };
 
 /// Returns camera_from_local of each view.
 std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
+
+/// Returns how many views are keyframes, if these come first.
+int NumKeyframes(const Bundle& bundle);
+
+/// Returns the bundle without the views that are not keyframes and their observations.
+Bundle OnlyKeyframes(const Bundle& bundle);
 
 /// Returns the offsets of the points' observations: those of point p have the indices offsets[p] to
 /// offsets[p + 1] - 1. There is one offset more than there are points.
