@@ -79,12 +79,13 @@ void IntermediateFrames::AddTo(const Map& map, Bundle& bundle) const {
 
 std::vector<const IntermediateFrames::PosedFrame*> IntermediateFrames::Select(
     KeyframeId keyframe) const {
-  const auto following = std::ranges::equal_range(frames_, keyframe, {}, &PosedFrame::keyframe);
-  const int num_following = static_cast<int>(following.size());
+  const auto first = std::ranges::lower_bound(frames_, keyframe, {}, &PosedFrame::keyframe);
+  const auto end = std::ranges::upper_bound(frames_, keyframe, {}, &PosedFrame::keyframe);
+  const int num_following = static_cast<int>(end - first);
   const int num_selected = std::min(per_keyframe_, num_following);
   std::vector<const PosedFrame*> selected;
   for (int i = 0; i < num_selected; ++i) {
-    selected.push_back(&following[(2 * i + 1) * num_following / (2 * num_selected)]);
+    selected.push_back(&first[(2 * i + 1) * num_following / (2 * num_selected)]);
   }
   return selected;
 }
