@@ -345,7 +345,7 @@ struct BundleAdjusterOptions {
   int points_per_keyframe = 100;  // ablation
   double huber_sigmas = 1;        // ablation
   int point_iterations = 5;       // ablation
-  int intermediate_frames = 1;    // ablation
+  int intermediate_frames = 0;    // ablation
   int min_latency_frames = 2;     // ablation
   int max_latency_frames = 4;     // ablation
 
@@ -353,6 +353,9 @@ struct BundleAdjusterOptions {
   static void Visit(Self& self, Visitor&& field) {
     field("max_keyframes", self.max_keyframes, 2, 1000, "free keyframes of one window");
     field("max_iterations", self.max_iterations, 1, 1000, "iterations of one adjustment");
+    field("intermediate_frames", self.intermediate_frames, 0, 30,
+          "frames between two keyframes that are adjusted with them: more accurate on a road, and "
+          "slower");
   }
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
@@ -364,9 +367,6 @@ struct BundleAdjusterOptions {
           "residual at which Huber's loss becomes linear, in standard deviations");
     field("point_iterations", self.point_iterations, 1, 1000,
           "iterations of a point that is adjusted alone");
-    field("intermediate_frames", self.intermediate_frames, 0, 30,
-          "frames between two keyframes that are adjusted with them, without becoming part of the "
-          "map");
     field("min_latency_frames", self.min_latency_frames, 1, 100,
           "least number of frames after which a result is used");
     field("max_latency_frames", self.max_latency_frames, 1, 100,
