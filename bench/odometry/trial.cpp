@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "apps/run/outcome.h"
 #include "bench/clocks.h"
@@ -50,6 +51,16 @@ void MeasurePoses(const Evaluation& evaluation, TrialResult& result) {
   }
 }
 
+/// Returns std::nullopt if the poses are too few to be aligned with the ground truth.
+std::optional<Evaluation> EvaluateIfPossible(const PoseSequence& poses, const PoseSequence& truth) {
+  if (truth.empty()) return std::nullopt;
+  try {
+    return Evaluate(poses, truth);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
   TrialResult result;
   result.ate = result.live_ate = result.t_rel_percent = result.r_rel_deg_per_100m = result.rpe =
@@ -58,21 +69,10 @@ TrialResult Evaluated(const Trajectory& trajectory, const PoseSequence& truth) {
   CountFrames(trajectory, result);
   if (truth.empty()) return result;
   MeasureRotation(trajectory, truth, result);
-  try {
-    MeasurePoses(Evaluate(trajectory.PosedFrames(), truth), result);
-  } catch (const Error&) {  // Too few poses to align: the figures stay unknown.
+  if (const auto evaluation = EvaluateIfPossible(trajectory.PosedFrames(), truth)) {
+    MeasurePoses(*evaluation, result);
   }
   return result;
-}
-
-/// Returns the ATE of poses, or kUnknown if they are too few to be aligned.
-double AlignedError(const PoseSequence& poses, const PoseSequence& truth) {
-  if (truth.empty()) return kUnknown;
-  try {
-    return Evaluate(poses, truth).absolute.rmse;
-  } catch (const Error&) {
-    return kUnknown;
-  }
 }
 
 }  // namespace
@@ -94,7 +94,9 @@ TrialResult RunTrial(const Recording& recording, const OdometryOptions& options,
   Trajectory trajectory = odometry.Finish();
   if (refine) trajectory = Refine(odometry, log).trajectory;
   TrialResult result = Evaluated(trajectory, recording.truth);
-  result.live_ate = AlignedError(live_poses, recording.truth);
+  if (const auto live = EvaluateIfPossible(live_poses, recording.truth)) {
+    result.live_ate = live->absolute.rmse;
+  }
   result.wall_ms = wall_ms / result.frames;
   result.processor_ms = processor_ms / result.frames;
   return result;

@@ -10,14 +10,6 @@ namespace {
 /// The observations of each point of a bundle that are to be added to it.
 using AddedObservations = std::vector<std::vector<Bundle::Observation>>;
 
-/// Returns the index of a landmark's point, or kNoId if the bundle has none.
-int FindPoint(const Bundle& bundle, LandmarkId landmark) {
-  const auto found =
-      std::ranges::lower_bound(bundle.points, landmark, {}, &Bundle::Point::landmark);
-  if (found == bundle.points.end() || found->landmark != landmark) return kNoId;
-  return static_cast<int>(found - bundle.points.begin());
-}
-
 /// Adds what a view observes of the points of a bundle.
 void AddObservations(const std::vector<Observation>& observations, int view, const Map& map,
                      const Bundle& bundle, AddedObservations& added) {
@@ -46,6 +38,7 @@ void Insert(const AddedObservations& added, Bundle& bundle) {
 }  // namespace
 
 void IntermediateFrames::Add(const Frame& frame, int segment, const Map& map) {
+  if (per_keyframe_ == 0) return;
   constexpr int kMaxFollowing = 30;  // While the camera stands still, no keyframe follows.
   const KeyframeId newest = map.num_keyframes() - 1;
   if (map.SegmentOf(newest) != segment || map.keyframe(newest).frame.index == frame.index) return;
@@ -61,6 +54,7 @@ void IntermediateFrames::Add(const Frame& frame, int segment, const Map& map) {
 }
 
 void IntermediateFrames::AddTo(const Map& map, Bundle& bundle) const {
+  if (frames_.empty()) return;
   const SE3 local_from_world = bundle.world_from_local.Inverse();
   const std::vector<Bundle::View> keyframes = bundle.views;
   AddedObservations added(bundle.points.size());
@@ -75,6 +69,14 @@ void IntermediateFrames::AddTo(const Map& map, Bundle& bundle) const {
     }
   }
   Insert(added, bundle);
+}
+
+void IntermediateFrames::RemoveFrom(Bundle& bundle) {
+  std::erase_if(bundle.views, [](const Bundle::View& view) { return view.keyframe == kNoId; });
+  const int num_keyframes = static_cast<int>(bundle.views.size());
+  std::erase_if(bundle.observations, [&](const Bundle::Observation& observation) {
+    return observation.view >= num_keyframes;
+  });
 }
 
 std::vector<const IntermediateFrames::PosedFrame*> IntermediateFrames::Select(

@@ -33,6 +33,9 @@ class IntermediateFrames {
   /// spaced, as free views without a keyframe, with what they observe of its points.
   void AddTo(const Map& map, Bundle& bundle) const;
 
+  /// Removes what AddTo() has added.
+  static void RemoveFrom(Bundle& bundle);
+
  private:
   struct PosedFrame {
     KeyframeId keyframe = kNoId;  ///< The one that the frame follows.

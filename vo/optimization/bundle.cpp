@@ -2,7 +2,6 @@
 #include "vo/optimization/bundle.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 
 #include "vo/lie/sim3.h"
@@ -25,13 +24,11 @@ std::vector<Bundle::View> CopyViews(const Map& map, const AdjustmentWindow& wind
   return views;
 }
 
-/// Orders views by keyframe, those without one last.
-std::uint32_t Rank(const Bundle::View& view) { return static_cast<std::uint32_t>(view.keyframe); }
-
 /// Returns the index of a keyframe's view, or kNoId if the bundle has none.
 int FindView(const std::vector<Bundle::View>& views, KeyframeId keyframe) {
   const auto found =
-      std::ranges::lower_bound(views, static_cast<std::uint32_t>(keyframe), {}, Rank);
+      std::lower_bound(views.begin(), views.end(), keyframe,
+                       [](const auto& view, KeyframeId id) { return view.keyframe < id; });
   if (found == views.end() || found->keyframe != keyframe) return kNoId;
   return static_cast<int>(found - views.begin());
 }
@@ -48,17 +45,15 @@ void CopyLandmark(const Map& map, LandmarkId id, const SE3& local_from_world, Bu
   }
 }
 
-/// Returns world_after_from_world_before for the points that each keyframe observes.
+/// Returns world_after_from_world_before for the points that each view observes.
 std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
-  const int num_keyframes = NumKeyframes(bundle);
   std::vector<SE3> before;
-  for (int view = 0; view < num_keyframes; ++view) {
-    before.push_back(map.WorldFromKeyframe(bundle.views[view].keyframe).Inverse());
+  for (const Bundle::View& view : bundle.views) {
+    before.push_back(map.WorldFromKeyframe(view.keyframe).Inverse());
   }
   const std::vector<SE3> after = CamerasFromLocal(bundle);
-  std::vector<std::vector<double>> ratios(num_keyframes);
+  std::vector<std::vector<double>> ratios(bundle.views.size());
   for (const Bundle::Observation& observation : bundle.observations) {
-    if (observation.view >= num_keyframes) continue;
     const Bundle::Point& point = bundle.points[observation.point];
     const Landmark* landmark = map.FindLandmark(point.landmark);
     if (landmark == nullptr || !observation.is_inlier) continue;
@@ -67,7 +62,7 @@ std::vector<Sim3> FindMoves(const Bundle& bundle, const Map& map) {
     if (old_depth > 0 && new_depth > 0) ratios[observation.view].push_back(new_depth / old_depth);
   }
   std::vector<Sim3> moves;
-  for (int view = 0; view < num_keyframes; ++view) {
+  for (std::size_t view = 0; view < bundle.views.size(); ++view) {
     const double scale = ratios[view].empty() ? 1 : Median(ratios[view]);
     moves.push_back(Sim3(bundle.world_from_local * after[view].Inverse()) *
                     Sim3(scale, SO3(), Eigen::Vector3d::Zero()) * Sim3(before[view]));
@@ -82,13 +77,6 @@ int NewestMovingView(const Bundle& bundle, const Landmark& landmark) {
     if (view != kNoId && !bundle.views[view].is_fixed) return view;
   }
   return kNoId;
-}
-
-bool IsInBundle(const Bundle& bundle, LandmarkId id) {
-  const auto found = std::lower_bound(
-      bundle.points.begin(), bundle.points.end(), id,
-      [](const Bundle::Point& point, LandmarkId other) { return point.landmark < other; });
-  return found != bundle.points.end() && found->landmark == id;
 }
 
 /// Moves the keyframes and landmarks that the bundle does not contain.
@@ -109,7 +97,7 @@ void PropagateCorrection(const Bundle& bundle, Map& map) {
     map.SetPose(id, TransformPose(moves[newest], map.WorldFromKeyframe(id)));
   }
   for (const LandmarkId id : map.FindObserved(free)) {
-    if (IsInBundle(bundle, id)) continue;
+    if (FindPoint(bundle, id) != kNoId) continue;
     const Landmark& landmark = *map.FindLandmark(id);
     int view = NewestMovingView(bundle, landmark);
     if (view == kNoId && landmark.track.front().keyframe > last) view = newest;
@@ -131,19 +119,11 @@ std::vector<SE3> CamerasFromLocal(const Bundle& bundle) {
   return poses;
 }
 
-int NumKeyframes(const Bundle& bundle) {
-  return static_cast<int>(std::ranges::count_if(
-      bundle.views, [](const Bundle::View& view) { return view.keyframe != kNoId; }));
-}
-
-Bundle OnlyKeyframes(const Bundle& bundle) {
-  const int num_keyframes = NumKeyframes(bundle);
-  Bundle keyframes = bundle;
-  keyframes.views.resize(num_keyframes);
-  std::erase_if(keyframes.observations, [&](const Bundle::Observation& observation) {
-    return observation.view >= num_keyframes;
-  });
-  return keyframes;
+int FindPoint(const Bundle& bundle, LandmarkId landmark) {
+  const auto found =
+      std::ranges::lower_bound(bundle.points, landmark, {}, &Bundle::Point::landmark);
+  if (found == bundle.points.end() || found->landmark != landmark) return kNoId;
+  return static_cast<int>(found - bundle.points.begin());
 }
 
 std::vector<int> ObservationOffsets(const Bundle& bundle) {

@@ -34,7 +34,7 @@ struct Bundle {
   };
 
   SE3 world_from_local;
-  std::vector<View> views;                ///< In ascending order of keyframes, then those without.
+  std::vector<View> views;                ///< In ascending order of keyframes.
   std::vector<Point> points;              ///< In ascending order of landmarks.
   std::vector<Observation> observations;  ///< Grouped by point, in their order.
 };
@@ -42,11 +42,8 @@ struct Bundle {
 /// Returns camera_from_local of each view.
 std::vector<SE3> CamerasFromLocal(const Bundle& bundle);
 
-/// Returns how many views are keyframes, if these come first.
-int NumKeyframes(const Bundle& bundle);
-
-/// Returns the bundle without the views that are not keyframes and their observations.
-Bundle OnlyKeyframes(const Bundle& bundle);
+/// Returns the index of a landmark's point, or kNoId if the bundle has none.
+int FindPoint(const Bundle& bundle, LandmarkId landmark);
 
 /// Returns the offsets of the points' observations: those of point p have the indices offsets[p] to
 /// offsets[p + 1] - 1. There is one offset more than there are points.
