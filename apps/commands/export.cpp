@@ -17,6 +17,7 @@
 #include "apps/export/nerfstudio_transforms.h"
 #include "apps/export/point_cloud.h"
 #include "apps/export/point_colors.h"
+#include "apps/export/point_fit.h"
 #include "apps/export/point_selection.h"
 #include "apps/export/run_result.h"
 #include "apps/output/json_text.h"
@@ -105,8 +106,9 @@ std::vector<int> SelectSegments(const ExportArguments& arguments, const RunResul
 /// Writes a segment, the n-th of the export from 0, and returns a line that describes it.
 std::string WriteSegment(const ExportArguments& arguments, const RunResult& result, int segment,
                          int n, const ExportFolder& folder) {
-  const auto& [reconstruction, undistortion] = ExportSegment(arguments, result, segment);
+  auto [reconstruction, undistortion] = ExportSegment(arguments, result, segment);
   if (arguments.format == "colmap") {
+    FitPointsToPixels(reconstruction);
     WriteColmap(arguments, reconstruction, fs::path("sparse") / std::to_string(n), folder);
   } else {
     WriteNerfstudio(reconstruction, folder);

@@ -9,6 +9,7 @@
 #include "apps/export/colmap_model.h"
 #include "apps/export/nerfstudio_transforms.h"
 #include "apps/export/point_colors.h"
+#include "apps/export/point_fit.h"
 #include "apps/export/point_selection.h"
 #include "apps/export/undistortion.h"
 #include "orb/error.h"
@@ -128,6 +129,35 @@ TEST(PointSelection, KeepsPointsOfKnownDepthAndTheirConsistentObservations) {
   EXPECT_EQ(reconstruction.points[0].id, 9);
   ASSERT_EQ(reconstruction.images[1].observations.size(), 1u);
   EXPECT_EQ(reconstruction.images[1].observations[0].point, 0);
+}
+
+TEST(PointFit, MinimizesTheSquaredPixelErrors) {
+  Reconstruction reconstruction = SmallReconstruction();
+  const Camera camera(reconstruction.camera);
+  reconstruction.images[0].observations[0].pixel += Eigen::Vector2d(2, -1);
+  const auto squared_error = [&](const Eigen::Vector3d& in_world) {
+    double sum = 0;
+    for (const ReconstructedImage& image : reconstruction.images) {
+      const auto pixel = camera.Project(image.world_from_camera.Inverse() * in_world);
+      sum += (*pixel - image.observations[0].pixel).squaredNorm();
+    }
+    return sum;
+  };
+  const Eigen::Vector3d exact = reconstruction.points[1].in_world;
+  const double before = squared_error(reconstruction.points[0].in_world);
+  reconstruction.points[1].in_world.z() += 0.2;
+  FitPointsToPixels(reconstruction);
+  const Eigen::Vector3d fitted = reconstruction.points[0].in_world;
+  const double least = squared_error(fitted);
+  // The row of the pixel is halfway between the two, and the disparity explains the column.
+  EXPECT_NEAR(least, 0.5, 0.01);
+  EXPECT_LT(least, before);
+  for (const Eigen::Vector3d axis :
+       {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()}) {
+    EXPECT_GT(squared_error(fitted + 1e-3 * axis), least);
+    EXPECT_GT(squared_error(fitted - 1e-3 * axis), least);
+  }
+  EXPECT_TRUE(reconstruction.points[1].in_world.isApprox(exact, 1e-6));
 }
 
 TEST(PointColors, AreThoseOfTheFirstImageThatCanBeRead) {
