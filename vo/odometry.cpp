@@ -164,7 +164,8 @@ bool Odometry::prior_rejected() const {
 
 MemoryUse Odometry::memory_use() const {
   CheckNotMovedFrom();
-  return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_),
+  return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_) +
+              mapper_->num_frame_bytes(),
           map_.keyframe_bytes() + mapper_->num_edge_bytes(), history_->num_bytes()};
 }
 

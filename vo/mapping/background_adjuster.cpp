@@ -128,9 +128,9 @@ void BackgroundAdjuster::StartWindow(int frame, const Map& map) {
        adjuster = BundleAdjuster(WindowAdjustment(options_.bundle_adjuster)),
        points_per_view = options_.bundle_adjuster.points_per_keyframe](Bundle&& window) {
         const AdjustmentSummary summary = adjuster.Adjust(camera, window);
-        IntermediateFrames::RemoveFrom(window);
         KeyframeCovariance covariance = CovarianceOfViews({camera.parameters(), free}, window,
                                                           SelectPoints(window, points_per_view));
+        IntermediateFrames::RemoveFrom(window);
         return Result{std::move(window), summary, std::move(covariance)};
       },
       std::move(bundle));

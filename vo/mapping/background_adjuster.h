@@ -50,6 +50,9 @@ class BackgroundAdjuster {
   /// and the camera.
   UsedAdjustments UseResults(int frame, Map& map);
 
+  /// Returns the memory of the frames that later windows use.
+  std::size_t num_frame_bytes() const { return intermediate_.num_bytes(); }
+
   /// Returns the joint covariance of the window that was used last.
   const KeyframeCovariance& window_covariance() const { return window_covariance_; }
 

@@ -47,10 +47,19 @@ void IntermediateFrames::Add(const Frame& frame, int segment, const Map& map) {
   }
   if (std::ranges::count(frames_, newest, &PosedFrame::keyframe) >= kMaxFollowing) return;
   PosedFrame added{newest, map.WorldFromKeyframe(newest).Inverse() * frame.world_from_camera, {}};
+  added.observations.reserve(static_cast<std::size_t>(CountObservedLandmarks(frame)));
   for (int k = 0; k < frame.num_keypoints(); ++k) {
     if (frame.landmarks[k] != kNoId) added.observations.push_back(Observe(frame, k, map.model()));
   }
   frames_.push_back(std::move(added));
+}
+
+std::size_t IntermediateFrames::num_bytes() const {
+  std::size_t bytes = 0;
+  for (const PosedFrame& frame : frames_) {
+    bytes += sizeof(PosedFrame) + frame.observations.size() * sizeof(Observation);
+  }
+  return bytes;
 }
 
 void IntermediateFrames::AddTo(const Map& map, Bundle& bundle) const {

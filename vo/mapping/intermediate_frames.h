@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -25,6 +26,9 @@ class IntermediateFrames {
   /// Adds a posed frame of a segment. Does nothing if it is the newest keyframe, or if that belongs
   /// to another segment.
   void Add(const Frame& frame, int segment, const Map& map);
+
+  /// Returns the memory held, counted from the contents.
+  std::size_t num_bytes() const;
 
   /// Forgets all frames, as after the keyframes have changed their unit of length.
   void Clear() { frames_.clear(); }

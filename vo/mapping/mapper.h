@@ -55,6 +55,8 @@ class Mapper {
   /// Returns the graph of all keyframes so far.
   PoseGraph GetPoseGraph(const Map& map) const;
   std::size_t num_edge_bytes() const { return edges_.num_bytes(); }
+  /// Returns the memory of the frames that later adjustments use.
+  std::size_t num_frame_bytes() const { return adjuster_.num_frame_bytes(); }
 
   /// Returns the uncertainty of a located frame relative to a keyframe: of the newest keyframe
   /// relative to the one before it, of any other frame relative to the newest one. Returns

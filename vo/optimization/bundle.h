@@ -34,7 +34,7 @@ struct Bundle {
   };
 
   SE3 world_from_local;
-  std::vector<View> views;                ///< In ascending order of keyframes.
+  std::vector<View> views;                ///< Keyframes in ascending order, then other frames.
   std::vector<Point> points;              ///< In ascending order of landmarks.
   std::vector<Observation> observations;  ///< Grouped by point, in their order.
 };

@@ -11,7 +11,7 @@
 namespace corvo {
 namespace {
 
-/// Returns the keyframes of a bundle whose poses are not exact, and the rows of their views.
+/// Returns the views of a bundle whose poses are not exact.
 std::vector<int> UncertainViews(const Bundle& bundle) {
   const auto num_fixed = std::ranges::count_if(bundle.views, &Bundle::View::is_fixed);
   std::vector<int> uncertain;
@@ -40,11 +40,18 @@ void HoldScale(const Bundle& bundle, const std::vector<int>& views, Eigen::Matri
   information.block<3, 3>(row, row) += weight * direction * direction.transpose();
 }
 
-/// Returns the rows and columns of some views of a matrix whose lower triangle is filled.
-Eigen::MatrixXd SelectViews(const Eigen::SparseMatrix<double>& lower,
-                            const std::vector<int>& views) {
-  Eigen::VectorXi position = Eigen::VectorXi::Constant(lower.rows() / 6, kNoId);
+/// Returns the position of each view of a bundle among some of them, or kNoId.
+Eigen::VectorXi PositionsAmong(const std::vector<int>& views, const Bundle& bundle) {
+  Eigen::VectorXi position =
+      Eigen::VectorXi::Constant(static_cast<Eigen::Index>(bundle.views.size()), kNoId);
   for (int i = 0; i < static_cast<int>(views.size()); ++i) position[views[i]] = i;
+  return position;
+}
+
+/// Returns the rows and columns of some views, which have `position`, of a matrix whose lower
+/// triangle is filled.
+Eigen::MatrixXd SelectViews(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& views,
+                            const Eigen::VectorXi& position) {
   const auto size = static_cast<Eigen::Index>(6 * views.size());
   Eigen::MatrixXd selected = Eigen::MatrixXd::Zero(size, size);
   for (int column = 0; column < lower.outerSize(); ++column) {
@@ -66,19 +73,21 @@ Eigen::MatrixXd SelectRows(const Eigen::MatrixXd& matrix, const std::vector<int>
   return selected;
 }
 
-/// Sets the derivatives of the joint points, which follow the camera and their views.
+/// Sets the derivatives of the joint points, which follow the camera and their views. Those of the
+/// views by the camera are the 6 rows at their `position`; a view without one is exact.
 void SetLandmarksByCamera(const Bundle& bundle, const std::vector<char>& is_joint,
-                          const DifferentiableCamera& camera, KeyframeCovariance& covariance) {
+                          const DifferentiableCamera& camera, const Eigen::VectorXi& position,
+                          const Eigen::MatrixXd& views_by_camera, KeyframeCovariance& covariance) {
   const Eigen::Matrix3d world_from_local = bundle.world_from_local.rotation().matrix();
   VisitLinearizedPoints(bundle, is_joint, camera, [&](int point, const auto& observations) {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3Xd by_camera = Eigen::Matrix3Xd::Zero(3, covariance.by_camera.cols());
+    Eigen::Matrix3Xd by_camera = Eigen::Matrix3Xd::Zero(3, views_by_camera.cols());
     for (const LinearizedObservation& o : observations) {
       information += o.by_point.transpose() * o.by_point;
       by_camera += o.by_point.transpose() * o.by_camera;
-      const int position = covariance.Find(bundle.views[o.view].keyframe);
-      if (position == kNoId) continue;
-      by_camera += o.by_point.transpose() * (o.by_pose * covariance.ByCamera(position));
+      if (position[o.view] == kNoId) continue;
+      by_camera += o.by_point.transpose() *
+                   (o.by_pose * views_by_camera.middleRows<6>(6 * position[o.view]));
     }
     covariance.landmarks_by_camera[bundle.points[point].landmark] =
         -world_from_local * information.ldlt().solve(by_camera);
@@ -106,20 +115,27 @@ KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bu
   const DifferentiableCamera differentiable(camera, Eigen::VectorXd::Zero(num_free));
   const std::vector<int> views = UncertainViews(bundle);
   KeyframeCovariance covariance;
-  for (const int view : views) covariance.keyframes.push_back(bundle.views[view].keyframe);
+  for (const int view : views) {
+    const KeyframeId keyframe = bundle.views[view].keyframe;
+    if (keyframe != kNoId) covariance.keyframes.push_back(keyframe);
+  }
   covariance.by_camera = Eigen::MatrixXd::Zero(0, num_free);
-  if (views.empty()) return covariance;
+  if (covariance.keyframes.empty()) return covariance;
   const ReducedInformation reduced(bundle, is_joint, differentiable, num_free);
-  Eigen::MatrixXd information = SelectViews(reduced.PoseMatrix(), views);
+  const Eigen::VectorXi position = PositionsAmong(views, bundle);
+  Eigen::MatrixXd information = SelectViews(reduced.PoseMatrix(), views, position);
   if (IsScaleFree(bundle)) HoldScale(bundle, views, information);
   information.diagonal().array() += kUnobserved;
   const Eigen::LDLT<Eigen::MatrixXd> solver(information);
+  // The other frames are marginalized: they follow the keyframes, whose rows are the first.
+  const Eigen::Index rows = 6 * covariance.size();
   covariance.matrix =
-      solver.solve(Eigen::MatrixXd::Identity(6 * covariance.size(), 6 * covariance.size()));
-  covariance.by_camera = Eigen::MatrixXd::Zero(6 * covariance.size(), num_free);
+      solver.solve(Eigen::MatrixXd::Identity(information.rows(), rows)).topRows(rows);
+  covariance.by_camera = Eigen::MatrixXd::Zero(rows, num_free);
   if (num_free == 0) return covariance;
-  covariance.by_camera = -solver.solve(SelectRows(reduced.pose_camera(), views));
-  SetLandmarksByCamera(bundle, is_joint, differentiable, covariance);
+  const Eigen::MatrixXd by_camera = -solver.solve(SelectRows(reduced.pose_camera(), views));
+  covariance.by_camera = by_camera.topRows(rows);
+  SetLandmarksByCamera(bundle, is_joint, differentiable, position, by_camera, covariance);
   return covariance;
 }
 

@@ -36,8 +36,9 @@ struct KeyframeCovariance {
   Eigen::Matrix<double, 6, Eigen::Dynamic> ByCamera(int position) const;
 };
 
-/// Returns the covariance of the views of an adjusted bundle: the inverse of the normal equations
-/// of the inlier observations of the joint points, with the points eliminated. The gauge is that of
+/// Returns the covariance of the keyframes of an adjusted bundle: the inverse of the normal
+/// equations of the inlier observations of the joint points, with the points and the frames that
+/// are not keyframes marginalized. The gauge is that of
 /// BundleAdjuster::Adjust: fixed views are exact, and a bundle without two of them is relative to
 /// its oldest view and in units of the distance of the farthest one. `camera` has the parameters
 /// whose errors are taken into account as its free ones; it is the given one of that prior.

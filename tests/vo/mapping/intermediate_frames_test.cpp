@@ -70,6 +70,20 @@ TEST(IntermediateFrames, AddsTheFrameInTheMiddleOfThoseThatFollowAKeyframe) {
             num_before + static_cast<std::size_t>(CountObservedLandmarks(drive.following[1])));
 }
 
+TEST(IntermediateFrames, CountTheMemoryOfWhatTheyObserve) {
+  const Drive drive(0, 1);
+  IntermediateFrames frames(10, 1);
+  EXPECT_EQ(frames.num_bytes(), 0u);
+  for (const Frame& frame : drive.following) frames.Add(frame, 0, drive.map);
+  std::size_t num_observations = 0;
+  for (const Frame& frame : drive.following) {
+    num_observations += static_cast<std::size_t>(CountObservedLandmarks(frame));
+  }
+  EXPECT_GT(frames.num_bytes(), num_observations * sizeof(Observation));
+  frames.Clear();
+  EXPECT_EQ(frames.num_bytes(), 0u);
+}
+
 TEST(IntermediateFrames, KeepsObservationsGroupedByPoint) {
   const Drive drive(0, 2);
   IntermediateFrames frames(10, 3);

@@ -90,6 +90,23 @@ TEST(KeyframeCovarianceTest, IsFoundByKeyframe) {
   EXPECT_EQ(covariance.matrix.rows(), 18);
 }
 
+TEST(KeyframeCovarianceTest, OtherFramesAreMarginalized) {
+  test::Random random(8);
+  Bundle bundle = MakeBundle(2, random);
+  const CameraPrior camera{test::PinholeCamera().parameters(), {{"focal", 0.01}, {"k1", 0.1}}};
+  const std::vector<char> is_joint(bundle.points.size(), 1);
+  const KeyframeCovariance of_all = CovarianceOfViews(camera, bundle, is_joint);
+  bundle.views.back().keyframe = kNoId;
+  const KeyframeCovariance covariance = CovarianceOfViews(camera, bundle, is_joint);
+  EXPECT_THAT(covariance.keyframes, ::testing::ElementsAre(2, 3));
+  EXPECT_TRUE(covariance.matrix.isApprox(of_all.matrix.topLeftCorner<12, 12>(), 1e-9));
+  EXPECT_TRUE(covariance.by_camera.isApprox(of_all.by_camera.topRows<12>(), 1e-9));
+  ASSERT_EQ(covariance.landmarks_by_camera.size(), of_all.landmarks_by_camera.size());
+  for (const auto& [landmark, by_camera] : of_all.landmarks_by_camera) {
+    EXPECT_TRUE(covariance.landmarks_by_camera.at(landmark).isApprox(by_camera, 1e-9)) << landmark;
+  }
+}
+
 TEST(KeyframeCovarianceTest, OfExactViewsIsEmpty) {
   test::Random random(7);
   EXPECT_EQ(CovarianceOf(MakeBundle(kNumViews, random)).size(), 0);
