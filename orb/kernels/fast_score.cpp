@@ -58,9 +58,10 @@ struct Diameters {
 };
 
 HWY_INLINE Diameters CompareOpposites(const Rows& rows, int x) {
-  const Tag d;
-  Diameters diameters{hn::Set(d, 255), hn::Zero(d)};
-  for (int k = 0; k < kHalfCircle; ++k) {
+  const Lanes top = CirclePixels(rows, x, 0);
+  const Lanes bottom = CirclePixels(rows, x, kHalfCircle);
+  Diameters diameters{hn::Max(top, bottom), hn::Min(top, bottom)};
+  for (int k = 1; k < kHalfCircle; ++k) {
     const Lanes a = CirclePixels(rows, x, k);
     const Lanes b = CirclePixels(rows, x, k + kHalfCircle);
     diameters.least_bright = hn::Min(diameters.least_bright, hn::Max(a, b));
@@ -77,24 +78,23 @@ HWY_INLINE Lanes ContrastBound(const Diameters& diameters, Lanes center) {
 }
 
 /// The least pixel of the brightest arc of 9, all pixels being inverted where `flip` is 255. Arcs
-/// come in twos that share 8 pixels, from even places on; windows of 8 are built from windows of 2
-/// and 4.
+/// come in fours that share 6 pixels, and in twos of these that share 8.
 HWY_INLINE Lanes BrightestArc(const Rows& rows, int x, Lanes flip) {
   const Tag d;
   Lanes circle[kCircle];
-  Lanes least2[kHalfCircle];
-  Lanes least4[kHalfCircle];
+  Lanes least2[kHalfCircle];  // Of pixels 2 k + 1 and 2 k + 2.
   for (int k = 0; k < kCircle; ++k) circle[k] = hn::Xor(CirclePixels(rows, x, k), flip);
-  for (int k = 0; k < kHalfCircle; ++k) least2[k] = hn::Min(circle[2 * k], circle[2 * k + 1]);
   for (int k = 0; k < kHalfCircle; ++k) {
-    least4[k] = hn::Min(least2[k], least2[(k + 1) % kHalfCircle]);
+    least2[k] = hn::Min(circle[2 * k + 1], circle[(2 * k + 2) % kCircle]);
   }
   Lanes brightest = hn::Zero(d);
-  for (int k = 0; k < kHalfCircle; ++k) {
-    const Lanes before = circle[(2 * k + kCircle - 1) % kCircle];
-    const Lanes after = circle[(2 * k + 8) % kCircle];
-    const Lanes least8 = hn::Min(least4[k], least4[(k + 2) % kHalfCircle]);
-    brightest = hn::Max(brightest, hn::Min(least8, hn::Max(before, after)));
+  for (int k = 0; k < kHalfCircle; k += 2) {  // The four arcs that begin at 2 k to 2 k + 3.
+    const Lanes early = hn::Min(least2[k], hn::Max(circle[2 * k], circle[(2 * k + 9) % kCircle]));
+    const Lanes late = hn::Min(least2[(k + 4) % kHalfCircle],
+                               hn::Max(circle[2 * k + 2], circle[(2 * k + 11) % kCircle]));
+    const Lanes shared = hn::Min(
+        least2[k + 1], hn::Min(least2[(k + 2) % kHalfCircle], least2[(k + 3) % kHalfCircle]));
+    brightest = hn::Max(brightest, hn::Min(shared, hn::Max(early, late)));
   }
   return brightest;
 }
