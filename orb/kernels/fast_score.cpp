@@ -163,14 +163,15 @@ int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std
                   int width, std::uint16_t* columns) {
   const int step = static_cast<int>(hn::Lanes(Tag()));
   if (width < step) return scalar::FindRowMaxima(above, here, below, width, columns);
+  const int last = width - step;
   int count = 0;
-  for (int begin = 0; begin < width; begin += step) {
-    const int x = std::min(begin, width - step);
-    const int num_seen = begin - x;
-    const std::uint64_t bits = MaximaBits(above, here, below, x) >> num_seen << num_seen;
-    count += WriteBits(bits, x, columns + count);
+  int x = 0;
+  for (; x < last; x += step) {
+    count += WriteBits(MaximaBits(above, here, below, x), x, columns + count);
   }
-  return count;
+  const int num_seen = x - last;
+  const std::uint64_t bits = MaximaBits(above, here, below, last) >> num_seen << num_seen;
+  return count + WriteBits(bits, last, columns + count);
 }
 
 #endif

@@ -59,25 +59,38 @@ void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroups& ro
   for (; g < groups.count; ++g) InterpolateGroups(one, source, groups, g, targets);
 }
 
+using Tag16 = hn::ScalableTag<std::int16_t>;
+
+/// Two rows to blend, and the nearer of them to the result.
+struct RowPair {
+  const std::int16_t* a;
+  const std::int16_t* b;
+  const std::int16_t* nearer;
+};
+
+/// `weights` are those of b, in units of 2^-16, from the nearer row on.
+HWY_INLINE void BlendRegister(const RowPair& rows, hn::Vec<Tag16> weights, int x,
+                              std::uint8_t* HWY_RESTRICT blended) {
+  const Tag16 d16;
+  const hn::Rebind<std::uint8_t, Tag16> d8;
+  const auto difference = hn::Sub(hn::LoadU(d16, rows.b + x), hn::LoadU(d16, rows.a + x));
+  const auto half = hn::Set(d16, 1 << (kWeightBits - 1));
+  const auto raised = hn::Add(hn::LoadU(d16, rows.nearer + x), half);
+  const auto sum = hn::Add(raised, hn::MulHigh(difference, weights));
+  hn::StoreU(hn::DemoteTo(d8, hn::ShiftRight<kWeightBits>(sum)), d8, blended + x);
+}
+
 void BlendRows(const std::int16_t* HWY_RESTRICT a, const std::int16_t* HWY_RESTRICT b, int weight,
                int width, std::uint8_t* HWY_RESTRICT blended) {
-  const hn::ScalableTag<std::int16_t> d16;
-  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
-  const int step = static_cast<int>(hn::Lanes(d16));
+  const int step = static_cast<int>(hn::Lanes(Tag16()));
   if (width < step) return scalar::BlendRows(a, b, weight, width, blended);
-  // (weight * difference) >> 7, from the nearer row on: (2^9 * weight) >> 16 of a signed weight.
   const bool is_b_nearer = weight >= 1 << (kWeightBits - 1);
-  const std::int16_t* nearer = is_b_nearer ? b : a;
-  const int signed_weight = is_b_nearer ? weight - (1 << kWeightBits) : weight;
-  const auto weights = hn::Set(d16, static_cast<std::int16_t>(signed_weight * (1 << 9)));
-  const auto half = hn::Set(d16, 1 << (kWeightBits - 1));
-  for (int begin = 0; begin < width; begin += step) {
-    const int x = std::min(begin, width - step);
-    const auto difference = hn::Sub(hn::LoadU(d16, b + x), hn::LoadU(d16, a + x));
-    const auto raised = hn::Add(hn::LoadU(d16, nearer + x), half);
-    const auto sum = hn::Add(raised, hn::MulHigh(difference, weights));
-    hn::StoreU(hn::DemoteTo(d8, hn::ShiftRight<kWeightBits>(sum)), d8, blended + x);
-  }
+  const int from_nearer = is_b_nearer ? weight - (1 << kWeightBits) : weight;
+  const auto weights = hn::Set(Tag16(), static_cast<std::int16_t>(from_nearer * (1 << 9)));
+  const RowPair rows{a, b, is_b_nearer ? b : a};
+  const int last = width - step;
+  for (int x = 0; x < last; x += step) BlendRegister(rows, weights, x, blended);
+  BlendRegister(rows, weights, last, blended);
 }
 
 #endif

@@ -51,17 +51,21 @@ void SlideColumns(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, i
   scalar::SlideColumns(row + num_whole, stride, width - num_whole, columns + num_whole);
 }
 
+HWY_INLINE void SumRegisterOfWindows(const std::uint16_t* HWY_RESTRICT columns, int x,
+                                     std::uint16_t* HWY_RESTRICT sums) {
+  const Tag d;
+  Lanes sum = hn::LoadU(d, columns + x - 2);
+  for (int dx = -1; dx <= 2; ++dx) sum = hn::Add(sum, hn::LoadU(d, columns + x + dx));
+  hn::StoreU(sum, d, sums + x);
+}
+
 void SumWindows(const std::uint16_t* HWY_RESTRICT columns, int width,
                 std::uint16_t* HWY_RESTRICT sums) {
-  const Tag d;
-  const int step = static_cast<int>(hn::Lanes(d));
+  const int step = static_cast<int>(hn::Lanes(Tag()));
   if (width - 4 < step) return scalar::SumWindows(columns, width, sums);
-  for (int begin = 2; begin < width - 2; begin += step) {
-    const int x = std::min(begin, width - 2 - step);
-    Lanes sum = hn::LoadU(d, columns + x - 2);
-    for (int dx = -1; dx <= 2; ++dx) sum = hn::Add(sum, hn::LoadU(d, columns + x + dx));
-    hn::StoreU(sum, d, sums + x);
-  }
+  const int last = width - 2 - step;
+  for (int x = 2; x < last; x += step) SumRegisterOfWindows(columns, x, sums);
+  SumRegisterOfWindows(columns, last, sums);
 }
 
 #endif
