@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -19,26 +19,28 @@ CornerRank RankOf(const Corner& corner, std::size_t index) {
 
 int IndexOf(CornerRank rank) { return static_cast<int>(~static_cast<std::uint32_t>(rank)); }
 
-/// Returns the highest rank below `bound`, or 0 if there is none. All ranks differ.
-CornerRank BestBelow(CornerRank bound, std::span<const CornerRank> ranks) {
-  CornerRank best = 0;
-  for (const CornerRank rank : ranks) best = std::max(best, rank < bound ? rank : 0);
-  return best;
+/// Returns the `kCount` highest of at least as many ranks, in descending order.
+template <std::size_t kCount>
+std::array<CornerRank, kCount> Highest(std::span<const CornerRank> ranks) {
+  std::array<CornerRank, kCount> highest{};
+  for (CornerRank rank : ranks) {
+    for (CornerRank& place : highest) {  // Without branches, which would be unpredictable.
+      const CornerRank higher = std::max(place, rank);
+      rank = std::min(place, rank);
+      place = higher;
+    }
+  }
+  return highest;
 }
 
 /// Sets the first `count` elements to the best ranks, in descending order; the other ranks may be
 /// lost.
 void PutBestFirst(std::span<CornerRank> ranks, std::ptrdiff_t count) {
-  constexpr std::ptrdiff_t kFew = 4;
-  if (count > kFew) {
-    std::partial_sort(ranks.begin(), ranks.begin() + count, ranks.end(), std::greater<>());
-    return;
-  }
-  // Repeated scans avoid unpredictable branches.
-  std::array<CornerRank, kFew> best{};
-  CornerRank bound = std::numeric_limits<CornerRank>::max();
-  for (std::ptrdiff_t i = 0; i < count; ++i) best[i] = bound = BestBelow(bound, ranks);
-  std::copy_n(best.begin(), count, ranks.begin());
+  const auto put = [&](const auto& best) { std::copy_n(best.begin(), count, ranks.begin()); };
+  if (count == 1) return put(Highest<1>(ranks));
+  if (count == 2) return put(Highest<2>(ranks));
+  if (count <= 4) return put(Highest<4>(ranks));
+  std::partial_sort(ranks.begin(), ranks.begin() + count, ranks.end(), std::greater<>());
 }
 
 /// Returns the number of cells of about `cell_size` into which a length is divided.
@@ -55,7 +57,7 @@ void GridSelector::FindCells(std::span<const Corner> corners, const cv::Rect& ar
   for (int i = 0; i < area.width; ++i) {
     column_of_x_[i] = static_cast<int>(std::int64_t{i} * columns / area.width);
   }
-  best_.assign(static_cast<std::size_t>(columns) * rows, 0);
+  cell_ends_.assign(static_cast<std::size_t>(columns) * rows, 0);
   cell_of_.resize(corners.size());
   int y = -1;
   int row_start = 0;
@@ -65,13 +67,19 @@ void GridSelector::FindCells(std::span<const Corner> corners, const cv::Rect& ar
       row_start = static_cast<int>(std::int64_t{y - area.y} * rows / area.height) * columns;
     }
     cell_of_[i] = row_start + column_of_x_[corners[i].x - area.x];
-    best_[cell_of_[i]] = std::max(best_[cell_of_[i]], RankOf(corners[i], i));
+    ++cell_ends_[cell_of_[i]];
   }
 }
 
+void GridSelector::FindBest(std::span<const Corner> corners) {
+  best_.assign(cell_ends_.size(), 0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    best_[cell_of_[i]] = std::max(best_[cell_of_[i]], RankOf(corners[i], i));
+  }
+  std::copy_if(best_.begin(), best_.end(), std::back_inserter(next_), std::identity());
+}
+
 void GridSelector::GroupByCell(std::span<const Corner> corners) {
-  cell_ends_.assign(best_.size(), 0);
-  for (const int cell : cell_of_) ++cell_ends_[cell];
   std::exclusive_scan(cell_ends_.begin(), cell_ends_.end(), cell_ends_.begin(), 0);
   members_.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -119,20 +127,33 @@ void GridSelector::TakeNext(int count, std::vector<int>& chosen) {
   std::transform(next_.begin(), end, std::back_inserter(chosen), IndexOf);
 }
 
+void GridSelector::Sort(std::size_t num_corners, std::vector<int>& chosen) {
+  constexpr int kBits = 64;
+  is_chosen_.assign(num_corners / kBits + 1, 0);
+  for (const int i : chosen) is_chosen_[i / kBits] |= std::uint64_t{1} << (i % kBits);
+  auto next = chosen.begin();
+  for (std::size_t word = 0; word < is_chosen_.size(); ++word) {
+    for (std::uint64_t bits = is_chosen_[word]; bits != 0; bits &= bits - 1) {
+      *next++ = static_cast<int>(word) * kBits + std::countr_zero(bits);
+    }
+  }
+}
+
 void GridSelector::Select(std::span<const Corner> corners, const cv::Rect& area, int cell_size,
                           int quota, std::vector<int>& chosen) {
   chosen.clear();
   if (quota <= 0 || corners.empty()) return;
   FindCells(corners, area, cell_size);
+  const auto num_empty = std::count(cell_ends_.begin(), cell_ends_.end(), 0);
   next_.clear();
-  std::copy_if(best_.begin(), best_.end(), std::back_inserter(next_), std::identity());
-  if (std::ssize(next_) <= quota) {  // The quota allows at least one round of all cells.
-    next_.clear();
+  if (std::ssize(cell_ends_) - num_empty > quota) {
+    FindBest(corners);
+  } else {  // The quota allows at least one round of all cells.
     GroupByCell(corners);
     TakeRounds(FullRounds(quota), chosen);
   }
   TakeNext(quota - static_cast<int>(chosen.size()), chosen);
-  std::sort(chosen.begin(), chosen.end());
+  Sort(corners.size(), chosen);
 }
 
 std::vector<int> SelectInGrid(std::span<const Corner> corners, const cv::Rect& area, int cell_size,

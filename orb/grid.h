@@ -28,8 +28,10 @@ class GridSelector {
               std::vector<int>& chosen);
 
  private:
-  /// Computes the cell of each corner and the best corner of each cell.
+  /// Computes the cell of each corner and the number of corners of each cell, as cell_ends_.
   void FindCells(std::span<const Corner> corners, const cv::Rect& area, int cell_size);
+  /// Collects the best corner of each cell in next_.
+  void FindBest(std::span<const Corner> corners);
   /// Groups the corners by cell.
   void GroupByCell(std::span<const Corner> corners);
   /// Returns the largest k for which the k best corners of every cell do not exceed `quota` in
@@ -40,6 +42,8 @@ class GridSelector {
   void TakeRounds(int rounds, std::vector<int>& chosen);
   /// Appends the best `count` corners of next_ to `chosen`.
   void TakeNext(int count, std::vector<int>& chosen);
+  /// Sorts indices, all different, of `num_corners` corners.
+  void Sort(std::size_t num_corners, std::vector<int>& chosen);
 
   std::vector<int> column_of_x_;  ///< The cell column of image column area.x + i.
   std::vector<int> cell_of_;      ///< The cell index, by corner.
@@ -48,6 +52,7 @@ class GridSelector {
   std::vector<CornerRank> members_;  ///< Grouped by cell; cell c ends at cell_ends_[c].
   std::vector<int> cells_with_more_;
   std::vector<CornerRank> next_;
+  std::vector<std::uint64_t> is_chosen_;  ///< A bit for each corner.
 };
 
 /// Returns the indices that GridSelector::Select() chooses.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "orb/kernels/gradients.h"
+
 namespace corvo::orb {
 namespace {
 
@@ -12,14 +14,7 @@ double RootMeanSquareGradient(const cv::Mat& image) {
   constexpr int kRowStep = 4;
   std::int64_t sum = 0, count = 0;
   for (int y = 0; y + 1 < image.rows; y += kRowStep) {
-    const auto* row = image.ptr<std::uint8_t>(y);
-    const auto* below = image.ptr<std::uint8_t>(y + 1);
-    std::int64_t row_sum = 0;
-    for (int x = 0; x + 1 < image.cols; ++x) {
-      const int right = row[x + 1] - row[x], down = below[x] - row[x];
-      row_sum += right * right + down * down;
-    }
-    sum += row_sum;
+    sum += kernels::SumSquaredGradients(image.ptr(y), image.ptr(y + 1), image.cols - 1);
     count += image.cols - 1;
   }
   return count == 0 ? 0 : std::sqrt(static_cast<double>(sum) / static_cast<double>(count));

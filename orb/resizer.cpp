@@ -52,11 +52,10 @@ Resizer::ColumnTaps Resizer::GroupTaps(std::vector<Tap> taps, int source) {
       groups.bases.push_back(base);
     }
     groups.are_near = groups.are_near && tap.next - base < kernels::kTapReach;
-    groups.first.push_back(static_cast<std::uint8_t>(tap.index - base));
-    groups.first.push_back(0x80);
-    groups.second.push_back(static_cast<std::uint8_t>(tap.next - base));
-    groups.second.push_back(0x80);
-    groups.weights.push_back(static_cast<std::int16_t>(tap.weight));
+    groups.taps.push_back(static_cast<std::uint8_t>(tap.index - base));
+    groups.taps.push_back(static_cast<std::uint8_t>(tap.next - base));
+    groups.weights.push_back(static_cast<std::uint8_t>(kUnit - tap.weight));
+    groups.weights.push_back(static_cast<std::uint8_t>(tap.weight));
   }
   return groups;
 }
@@ -72,9 +71,9 @@ const std::int16_t* Resizer::InterpolatedRow(const cv::Mat& image, int y, RowCac
   std::int16_t* row = cache.rows[slot].data();
   if (cache.held[slot] == y) return row;
   cache.held[slot] = y;
-  const auto& [first, second, weights, bases, are_near] = column_taps_;
-  const kernels::TapGroups groups{static_cast<int>(bases.size()), first.data(), second.data(),
-                                  weights.data(), bases.data()};
+  const auto& [taps, weights, bases, are_near] = column_taps_;
+  const kernels::TapGroups groups{static_cast<int>(bases.size()), taps.data(), weights.data(),
+                                  bases.data()};
   const auto interpolate = are_near ? kernels::InterpolateRow : kernels::scalar::InterpolateRow;
   interpolate(image.ptr(y), groups, row);
   return row;

@@ -48,9 +48,8 @@ class Resizer {
 
   /// The data that kernels::TapGroups points to.
   struct ColumnTaps {
-    std::vector<std::uint8_t> first;
-    std::vector<std::uint8_t> second;
-    std::vector<std::int16_t> weights;
+    std::vector<std::uint8_t> taps;
+    std::vector<std::uint8_t> weights;
     std::vector<std::int32_t> bases;
     bool are_near = true;  ///< All within kernels::kTapReach of their base.
   };

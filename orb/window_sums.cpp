@@ -10,27 +10,35 @@ namespace {
 
 constexpr int kMargin = 2;  ///< Pixels at the edges without a complete window.
 
-void SumRow(const cv::Mat& image, int y, std::vector<std::uint16_t>& columns, std::uint16_t* sums) {
-  kernels::SumWindowRow(image.ptr(y), static_cast<std::ptrdiff_t>(image.step), image.cols,
-                        columns.data(), sums);
+}  // namespace
+
+void WindowSummer::Start(const cv::Mat& image) {
+  image_ = &image;
+  next_ = kNone;
+  columns_.resize(image.cols);
 }
 
-}  // namespace
+void WindowSummer::SumRow(int y, std::uint16_t* sums) {
+  const auto stride = static_cast<std::ptrdiff_t>(image_->step);
+  const auto sum_columns = y == next_ ? kernels::SlideColumns : kernels::SumColumns;
+  sum_columns(image_->ptr(y), stride, image_->cols, columns_.data());
+  kernels::SumWindows(columns_.data(), image_->cols, sums);
+  next_ = y + 1;
+}
 
 cv::Mat WindowSums(const cv::Mat& image) {
   cv::Mat sums = cv::Mat::zeros(image.size(), CV_16UC1);
-  std::vector<std::uint16_t> columns(image.cols);
-  for (int y = kMargin; y < image.rows - kMargin; ++y) {
-    SumRow(image, y, columns, sums.ptr<std::uint16_t>(y));
-  }
+  WindowSummer summer;
+  summer.Start(image);
+  for (int y = kMargin; y < image.rows - kMargin; ++y) summer.SumRow(y, sums.ptr<std::uint16_t>(y));
   return sums;
 }
 
 void WindowSumBand::Start(const cv::Mat& image) {
   constexpr int kRows = 2 * kReach + 1 + 64;
   image_ = &image;
+  summer_.Start(image);
   first_ = end_ = 0;
-  columns_.resize(image.cols);
   sums_.resize(static_cast<std::size_t>(kRows) * image.cols);
 }
 
@@ -44,7 +52,7 @@ void WindowSumBand::MoveTo(int first) {
   first_ = first;
   const int num_rows = static_cast<int>(std::ssize(sums_) / stride());
   for (const int end = std::min(first_ + num_rows, image_->rows - kMargin); end_ < end; ++end_) {
-    SumRow(*image_, end_, columns_, At(end_));
+    summer_.SumRow(end_, At(end_));
   }
 }
 

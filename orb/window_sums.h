@@ -13,6 +13,24 @@ namespace corvo::orb {
 /// are 0. `image` is 8-bit, one channel.
 cv::Mat WindowSums(const cv::Mat& image);
 
+/// Computes single rows of WindowSums(). Not thread-safe.
+class WindowSummer {
+ public:
+  /// Starts with another image, which must outlive the calls of SumRow().
+  void Start(const cv::Mat& image);
+
+  /// Sets sums[x] for the columns x, 2 px from the edges, of row `y`, which is as far from them.
+  /// Efficient if each row is the next.
+  void SumRow(int y, std::uint16_t* sums);
+
+ private:
+  static constexpr int kNone = -1;
+
+  const cv::Mat* image_ = nullptr;
+  int next_ = kNone;                    ///< The row after that of columns_.
+  std::vector<std::uint16_t> columns_;  ///< Sums over the columns of the windows of a row.
+};
+
 /// Computes the rows of WindowSums() on demand, in a reused buffer. Not thread-safe.
 class WindowSumBand {
  public:
@@ -34,10 +52,10 @@ class WindowSumBand {
   std::uint16_t* At(int y) { return sums_.data() + (y - first_) * stride(); }
 
   const cv::Mat* image_ = nullptr;
+  WindowSummer summer_;
   int first_ = 0;  ///< The buffer holds rows [first_, end_).
   int end_ = 0;
   std::vector<std::uint16_t> sums_;
-  std::vector<std::uint16_t> columns_;
 };
 
 }  // namespace corvo::orb

@@ -16,15 +16,17 @@ namespace corvo::orb::kernels {
 
 constexpr int kCircle = 16;
 constexpr int kHalfCircle = kCircle / 2;
-using CircleOffsets = std::array<std::ptrdiff_t, kCircle>;
 
-/// Of the pixels of the circle from its center, from the top clockwise.
-inline CircleOffsets MakeCircle(std::ptrdiff_t stride) {
-  constexpr std::array<int, kCircle> kX = {0, 1, 2, 3, 3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1};
-  CircleOffsets offsets{};
-  for (int k = 0; k < kCircle; ++k) offsets[k] = kX[k] - kX[(k + 4) % kCircle] * stride;
-  return offsets;
-}
+/// Columns of the pixels of the circle from its center, from the top clockwise.
+constexpr std::array<int, kCircle> kCircleX = {0, 1,  2,  3,  3,  3,  2,  1,
+                                               0, -1, -2, -3, -3, -3, -2, -1};
+
+/// Rows of the pixels of the circle from its center.
+constexpr std::array<int, kCircle> kCircleY = [] {
+  std::array<int, kCircle> y{};
+  for (int k = 0; k < kCircle; ++k) y[k] = -kCircleX[(k + 4) % kCircle];
+  return y;
+}();
 
 }  // namespace corvo::orb::kernels
 #endif
@@ -40,55 +42,78 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<std::uint8_t>;
 using Lanes = hn::Vec<Tag>;
 
-/// By how much the brightest arc of 9 exceeds the center, or the center the darkest arc; else 0.
-/// Arcs come in twos that share 8 pixels, from even places on; windows of 8 are built from windows
-/// of 2 and 4.
-HWY_INLINE Lanes ArcContrast(const std::uint8_t* pixels, const CircleOffsets& offsets) {
-  const Tag d;
-  const Lanes center = hn::LoadU(d, pixels);
-  Lanes circle[kCircle];
-  Lanes least[kHalfCircle];
-  Lanes greatest[kHalfCircle];
-  for (int k = 0; k < kCircle; ++k) circle[k] = hn::LoadU(d, pixels + offsets[k]);
-  for (int k = 0; k < kHalfCircle; ++k) {
-    least[k] = hn::Min(circle[2 * k], circle[2 * k + 1]);
-    greatest[k] = hn::Max(circle[2 * k], circle[2 * k + 1]);
-  }
-  Lanes least4[kHalfCircle];
-  Lanes greatest4[kHalfCircle];
-  for (int k = 0; k < kHalfCircle; ++k) {
-    least4[k] = hn::Min(least[k], least[(k + 1) % kHalfCircle]);
-    greatest4[k] = hn::Max(greatest[k], greatest[(k + 1) % kHalfCircle]);
-  }
-  Lanes brightest = hn::Zero(d);
-  Lanes darkest = hn::Set(d, 255);
-  for (int k = 0; k < kHalfCircle; ++k) {
-    const Lanes before = circle[(2 * k + kCircle - 1) % kCircle];
-    const Lanes after = circle[(2 * k + 8) % kCircle];
-    const Lanes least8 = hn::Min(least4[k], least4[(k + 2) % kHalfCircle]);
-    const Lanes greatest8 = hn::Max(greatest4[k], greatest4[(k + 2) % kHalfCircle]);
-    brightest = hn::Max(brightest, hn::Min(least8, hn::Max(before, after)));
-    darkest = hn::Min(darkest, hn::Max(greatest8, hn::Min(before, after)));
-  }
-  return hn::Max(hn::SaturatedSub(brightest, center), hn::SaturatedSub(center, darkest));
+/// The first pixels of the rows that the circle covers.
+using Rows = std::array<const std::uint8_t*, 2 * kCircleRadius + 1>;
+
+/// Pixel k of the circles around the pixels from column `x` on.
+HWY_INLINE Lanes CirclePixels(const Rows& rows, int x, int k) {
+  return hn::LoadU(Tag(), rows[kCircleRadius + kCircleY[k]] + x + kCircleX[k]);
 }
 
-/// Whether any of a block's pixels may have an arc of 9 of contrast above the threshold: such an
-/// arc holds one pixel at least of every two opposite ones.
-HWY_INLINE bool MayHaveCorner(const std::uint8_t* pixels, const CircleOffsets& circle,
-                              Lanes threshold) {
-  const Tag d;
-  const Lanes center = hn::LoadU(d, pixels);
-  Lanes above = hn::Set(d, 255);
-  Lanes below = hn::Zero(d);
-  for (int k = 0; k < kHalfCircle; k += 2) {
-    const Lanes a = hn::LoadU(d, pixels + circle[k]);
-    const Lanes b = hn::LoadU(d, pixels + circle[k + kHalfCircle]);
-    above = hn::Min(above, hn::Max(a, b));
-    below = hn::Max(below, hn::Min(a, b));
+/// What the two pixels of every diameter of the circle tell about arcs of 9, which hold both of one
+/// diameter, and one at least of every other.
+struct Diameters {
+  Lanes least_bright;   ///< The least, over the diameters, of the brighter pixels.
+  Lanes greatest_dark;  ///< The greatest, over the diameters, of the darker pixels.
+};
+
+HWY_INLINE Diameters CompareOpposites(const Rows& rows, int x) {
+  const Lanes top = CirclePixels(rows, x, 0);
+  const Lanes bottom = CirclePixels(rows, x, kHalfCircle);
+  Diameters diameters{hn::Max(top, bottom), hn::Min(top, bottom)};
+  for (int k = 1; k < kHalfCircle; ++k) {
+    const Lanes a = CirclePixels(rows, x, k);
+    const Lanes b = CirclePixels(rows, x, k + kHalfCircle);
+    diameters.least_bright = hn::Min(diameters.least_bright, hn::Max(a, b));
+    diameters.greatest_dark = hn::Max(diameters.greatest_dark, hn::Min(a, b));
   }
-  const Lanes bound = hn::Max(hn::SaturatedSub(above, center), hn::SaturatedSub(center, below));
-  return !hn::AllFalse(d, hn::Gt(bound, threshold));
+  return diameters;
+}
+
+/// No arc of 9 has more contrast to its center.
+HWY_INLINE Lanes ContrastBound(const Diameters& diameters, Lanes center) {
+  const Lanes above = hn::Min(diameters.least_bright, diameters.greatest_dark);
+  const Lanes below = hn::Max(diameters.least_bright, diameters.greatest_dark);
+  return hn::Max(hn::SaturatedSub(above, center), hn::SaturatedSub(center, below));
+}
+
+/// The least pixel of the brightest arc of 9, all pixels being inverted where `flip` is 255. Arcs
+/// come in fours that share 6 pixels, and in twos of these that share 8.
+HWY_INLINE Lanes BrightestArc(const Rows& rows, int x, Lanes flip) {
+  const Tag d;
+  Lanes circle[kCircle];
+  Lanes least2[kHalfCircle];  // Of pixels 2 k + 1 and 2 k + 2.
+  for (int k = 0; k < kCircle; ++k) circle[k] = hn::Xor(CirclePixels(rows, x, k), flip);
+  for (int k = 0; k < kHalfCircle; ++k) {
+    least2[k] = hn::Min(circle[2 * k + 1], circle[(2 * k + 2) % kCircle]);
+  }
+  Lanes brightest = hn::Zero(d);
+  for (int k = 0; k < kHalfCircle; k += 2) {  // The four arcs that begin at 2 k to 2 k + 3.
+    const Lanes early = hn::Min(least2[k], hn::Max(circle[2 * k], circle[(2 * k + 9) % kCircle]));
+    const Lanes late = hn::Min(least2[(k + 4) % kHalfCircle],
+                               hn::Max(circle[2 * k + 2], circle[(2 * k + 11) % kCircle]));
+    const Lanes shared = hn::Min(
+        least2[k + 1], hn::Min(least2[(k + 2) % kHalfCircle], least2[(k + 3) % kHalfCircle]));
+    brightest = hn::Max(brightest, hn::Min(shared, hn::Max(early, late)));
+  }
+  return brightest;
+}
+
+/// Scores of a register of pixels. A bright arc of contrast holds a diameter whose darker pixel
+/// exceeds the center, and a dark one forbids it: so one kind of arc remains to be looked for.
+HWY_INLINE Lanes Scores(const Rows& rows, int x, Lanes threshold) {
+  const Tag d;
+  const Lanes zero = hn::Zero(d);
+  const Lanes center = hn::LoadU(d, rows[kCircleRadius] + x);
+  const Diameters diameters = CompareOpposites(rows, x);
+  const Lanes excess_bound = hn::SaturatedSub(ContrastBound(diameters, center), threshold);
+  if (hn::AllTrue(d, hn::Eq(excess_bound, zero))) return zero;
+  const Lanes darker = hn::Min(diameters.greatest_dark, center);
+  const Lanes flip = hn::VecFromMask(d, hn::Eq(diameters.greatest_dark, darker));
+  const Lanes brightest = BrightestArc(rows, x, flip);
+  const Lanes contrast = hn::SaturatedSub(brightest, hn::Xor(center, flip));
+  const auto is_none = hn::Eq(hn::SaturatedSub(contrast, threshold), zero);
+  return hn::IfThenZeroElse(is_none, hn::Sub(contrast, hn::Set(d, 1)));
 }
 
 void ScoreFastRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, int width,
@@ -96,19 +121,12 @@ void ScoreFastRow(const std::uint8_t* HWY_RESTRICT row, std::ptrdiff_t stride, i
   const Tag d;
   const int step = static_cast<int>(hn::Lanes(d));
   if (width < step) return scalar::ScoreFastRow(row, stride, width, threshold, scores);
-  const CircleOffsets circle = MakeCircle(stride);
-  const bool is_high = threshold >= 12;  // Below, most blocks have a candidate: no use in looking.
+  Rows rows;
+  for (int y = -kCircleRadius; y <= kCircleRadius; ++y) rows[y + kCircleRadius] = row + y * stride;
   const Lanes threshold_lanes = hn::Set(d, static_cast<std::uint8_t>(threshold));
   for (int begin = 0; begin < width; begin += step) {
     const int x = std::min(begin, width - step);
-    if (is_high && !MayHaveCorner(row + x, circle, threshold_lanes)) {
-      hn::StoreU(hn::Zero(d), d, scores + x);
-      continue;
-    }
-    const Lanes contrast = ArcContrast(row + x, circle);
-    const auto is_corner = hn::Gt(contrast, threshold_lanes);
-    const Lanes score = hn::IfThenElseZero(is_corner, hn::Sub(contrast, hn::Set(d, 1)));
-    hn::StoreU(score, d, scores + x);
+    hn::StoreU(Scores(rows, x, threshold_lanes), d, scores + x);
   }
 }
 
@@ -145,14 +163,15 @@ int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std
                   int width, std::uint16_t* columns) {
   const int step = static_cast<int>(hn::Lanes(Tag()));
   if (width < step) return scalar::FindRowMaxima(above, here, below, width, columns);
+  const int last = width - step;
   int count = 0;
-  for (int begin = 0; begin < width; begin += step) {
-    const int x = std::min(begin, width - step);
-    const int num_seen = begin - x;
-    const std::uint64_t bits = MaximaBits(above, here, below, x) >> num_seen << num_seen;
-    count += WriteBits(bits, x, columns + count);
+  int x = 0;
+  for (; x < last; x += step) {
+    count += WriteBits(MaximaBits(above, here, below, x), x, columns + count);
   }
-  return count;
+  const int num_seen = x - last;
+  const std::uint64_t bits = MaximaBits(above, here, below, last) >> num_seen << num_seen;
+  return count + WriteBits(bits, last, columns + count);
 }
 
 #endif
@@ -177,6 +196,14 @@ int FindRowMaxima(const std::uint8_t* above, const std::uint8_t* here, const std
 
 namespace scalar {
 namespace {
+
+using CircleOffsets = std::array<std::ptrdiff_t, kCircle>;
+
+CircleOffsets MakeCircle(std::ptrdiff_t stride) {
+  CircleOffsets offsets{};
+  for (int k = 0; k < kCircle; ++k) offsets[k] = kCircleX[k] + kCircleY[k] * stride;
+  return offsets;
+}
 
 /// The least, over the 9 pixels of an arc, by which they exceed the center, or the center them.
 int ArcContrast(const std::uint8_t* pixel, const CircleOffsets& circle, int first) {

@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
 #include <hwy/highway.h>
 
+#include "orb/kernels/byte_products-inl.h"
+
 #ifndef CORVO_ORB_KERNELS_MOMENT_WEIGHTS
 #define CORVO_ORB_KERNELS_MOMENT_WEIGHTS
 namespace corvo::orb::kernels {
@@ -14,20 +16,18 @@ constexpr int kRows = 2 * kMomentRadius + 1;
 constexpr int kRowLength = 2 * kMomentRadius + 2;  // columns [-16, 15]
 
 /// dx and dy of the pixels of the disc; 0 outside, and in a row below it.
-template <typename Number>
 struct MomentWeights {
-  alignas(64) Number x[kRows + 1][kRowLength];
-  alignas(64) Number y[kRows + 1][kRowLength];
+  alignas(64) std::int8_t x[kRows + 1][kRowLength];
+  alignas(64) std::int8_t y[kRows + 1][kRowLength];
 };
 
-template <typename Number>
-inline constexpr MomentWeights<Number> kMomentWeights = [] {
-  MomentWeights<Number> weights{};
+inline constexpr MomentWeights kMomentWeights = [] {
+  MomentWeights weights{};
   for (int dy = -kMomentRadius; dy <= kMomentRadius; ++dy) {
     const int half_width = kDiscHalfWidths[dy < 0 ? -dy : dy];
     for (int dx = -half_width; dx <= half_width; ++dx) {
-      weights.x[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<Number>(dx);
-      weights.y[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<Number>(dy);
+      weights.x[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<std::int8_t>(dx);
+      weights.y[dy + kMomentRadius][dx + kMomentRadius + 1] = static_cast<std::int8_t>(dy);
     }
   }
   return weights;
@@ -58,8 +58,8 @@ __attribute__((target(HWY_TARGET_STR ",avx512vnni"))) DiscMoments SumDiscMoments
     const std::uint8_t* pixels = center + (row - kMomentRadius) * stride - kMomentRadius - 1;
     const hn::Half<decltype(d8)> half;
     const auto gray = hn::Combine(d8, hn::LoadU(half, pixels + stride), hn::LoadU(half, pixels));
-    const auto weights_x = hn::Load(d8_signed, kMomentWeights<std::int8_t>.x[row]);
-    const auto weights_y = hn::Load(d8_signed, kMomentWeights<std::int8_t>.y[row]);
+    const auto weights_x = hn::Load(d8_signed, kMomentWeights.x[row]);
+    const auto weights_y = hn::Load(d8_signed, kMomentWeights.y[row]);
     x.raw = _mm512_dpbusd_epi32(x.raw, gray.raw, weights_x.raw);
     y.raw = _mm512_dpbusd_epi32(y.raw, gray.raw, weights_y.raw);
   }
@@ -68,23 +68,32 @@ __attribute__((target(HWY_TARGET_STR ",avx512vnni"))) DiscMoments SumDiscMoments
 
 #else
 
+/// Sums in 16 bits have room for four products of pairs: 4 * 255 * (15 + 15) at most.
 DiscMoments SumDiscMoments(const std::uint8_t* center, std::ptrdiff_t stride) {
-  const hn::CappedTag<std::int16_t, kRowLength> d16;
-  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
+  const hn::CappedTag<std::uint8_t, kRowLength> d8;
+  constexpr int kRowsAtOnce = 4 * static_cast<int>(hn::MaxLanes(d8)) / kRowLength;
+  const hn::RebindToSigned<decltype(d8)> d8_signed;
+  const hn::RepartitionToWide<decltype(d8_signed)> d16;
   const hn::RepartitionToWide<decltype(d16)> d32;
   auto x = hn::Zero(d32);
   auto y = hn::Zero(d32);
   auto x_rest = hn::Zero(d32);  // Highway may divide a sum in two.
   auto y_rest = hn::Zero(d32);
-  for (int row = 0; row < kRows; ++row) {
-    const std::uint8_t* pixels = center + (row - kMomentRadius) * stride - kMomentRadius - 1;
-    for (int i = 0; i < kRowLength; i += static_cast<int>(hn::Lanes(d16))) {
-      const auto gray = hn::PromoteTo(d16, hn::LoadU(d8, pixels + i));
-      const auto weight_x = hn::Load(d16, kMomentWeights<std::int16_t>.x[row] + i);
-      const auto weight_y = hn::Load(d16, kMomentWeights<std::int16_t>.y[row] + i);
-      x = hn::ReorderWidenMulAccumulate(d32, gray, weight_x, x, x_rest);
-      y = hn::ReorderWidenMulAccumulate(d32, gray, weight_y, y, y_rest);
+  for (int first = 0; first < kRows; first += kRowsAtOnce) {
+    auto x16 = hn::Zero(d16);
+    auto y16 = hn::Zero(d16);
+    for (int row = first; row < first + kRowsAtOnce; ++row) {
+      const std::uint8_t* pixels = center + (row - kMomentRadius) * stride - kMomentRadius - 1;
+      for (int i = 0; i < kRowLength; i += static_cast<int>(hn::Lanes(d8))) {
+        const auto gray = hn::LoadU(d8, pixels + i);
+        const auto weights_x = hn::Load(d8_signed, kMomentWeights.x[row] + i);
+        const auto weights_y = hn::Load(d8_signed, kMomentWeights.y[row] + i);
+        x16 = hn::Add(x16, SumByteProducts(gray, weights_x));
+        y16 = hn::Add(y16, SumByteProducts(gray, weights_y));
+      }
     }
+    x = hn::ReorderWidenMulAccumulate(d32, x16, hn::Set(d16, 1), x, x_rest);
+    y = hn::ReorderWidenMulAccumulate(d32, y16, hn::Set(d16, 1), y, y_rest);
   }
   return {hn::GetLane(hn::SumOfLanes(d32, hn::Add(x, x_rest))),
           hn::GetLane(hn::SumOfLanes(d32, hn::Add(y, y_rest)))};

@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>  // Compiles this file once for every instruction set.
 #include <hwy/highway.h>
 
+#include "orb/kernels/byte_products-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace corvo::orb::kernels::HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
@@ -29,20 +31,19 @@ HWY_INLINE hn::Vec<D> LoadSources(D d, const std::uint8_t* source, const std::in
   }
 }
 
-/// As many groups as the tag has room for, from group g on.
+/// As many groups as the tag has room for, from group g on. Pixels are made signed by subtracting
+/// 2^7, which comes back as 2^7 times the sum of two weights.
 template <typename D>
 HWY_INLINE void InterpolateGroups(D d8, const std::uint8_t* source, const TapGroups& groups, int g,
                                   std::int16_t* targets) {
+  const hn::RebindToSigned<D> d8_signed;
   const hn::Repartition<std::int16_t, D> d16;
   const auto pixels = LoadSources(d8, source, groups.bases + g);
-  const auto first_taps = hn::LoadU(d8, groups.first + g * kTapReach);
-  const auto second_taps = hn::LoadU(d8, groups.second + g * kTapReach);
-  const auto weights = hn::LoadU(d16, groups.weights + g * kTapsPerGroup);
-  const auto first = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, first_taps));
-  const auto second = hn::BitCast(d16, hn::TableLookupBytesOr0(pixels, second_taps));
-  const auto step = hn::Mul(hn::Sub(second, first), weights);
-  const auto values = hn::Add(hn::ShiftLeft<kWeightBits>(first), step);
-  hn::StoreU(values, d16, targets + g * kTapsPerGroup);
+  const auto taps = hn::LoadU(d8, groups.taps + g * kTapReach);
+  const auto weights = hn::LoadU(d8, groups.weights + g * kTapReach);
+  const auto taken = hn::Xor(hn::TableLookupBytes(pixels, taps), hn::Set(d8, 0x80));
+  const auto sums = SumByteProducts(weights, hn::BitCast(d8_signed, taken));
+  hn::StoreU(hn::Add(sums, hn::Set(d16, 1 << (2 * kWeightBits))), d16, targets + g * kTapsPerGroup);
 }
 
 void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroups& row_groups,
@@ -58,31 +59,38 @@ void InterpolateRow(const std::uint8_t* HWY_RESTRICT source, const TapGroups& ro
   for (; g < groups.count; ++g) InterpolateGroups(one, source, groups, g, targets);
 }
 
-/// (weight * d) >> 7, rounded down.
-template <typename Lanes>
-HWY_INLINE Lanes Scale(Lanes difference, Lanes weight) {
-  const hn::DFromV<Lanes> d;
-  const Lanes high = hn::MulHigh(difference, hn::ShiftLeft<8>(weight));  // (weight * d) >> 8
-  const Lanes last =
-      hn::And(hn::ShiftRight<kWeightBits>(hn::Mul(difference, weight)), hn::Set(d, 1));
-  return hn::Add(hn::Add(high, high), last);
+using Tag16 = hn::ScalableTag<std::int16_t>;
+
+/// Two rows to blend, and the nearer of them to the result.
+struct RowPair {
+  const std::int16_t* a;
+  const std::int16_t* b;
+  const std::int16_t* nearer;
+};
+
+/// `weights` are those of b, in units of 2^-16, from the nearer row on.
+HWY_INLINE void BlendRegister(const RowPair& rows, hn::Vec<Tag16> weights, int x,
+                              std::uint8_t* HWY_RESTRICT blended) {
+  const Tag16 d16;
+  const hn::Rebind<std::uint8_t, Tag16> d8;
+  const auto difference = hn::Sub(hn::LoadU(d16, rows.b + x), hn::LoadU(d16, rows.a + x));
+  const auto half = hn::Set(d16, 1 << (kWeightBits - 1));
+  const auto raised = hn::Add(hn::LoadU(d16, rows.nearer + x), half);
+  const auto sum = hn::Add(raised, hn::MulHigh(difference, weights));
+  hn::StoreU(hn::DemoteTo(d8, hn::ShiftRight<kWeightBits>(sum)), d8, blended + x);
 }
 
 void BlendRows(const std::int16_t* HWY_RESTRICT a, const std::int16_t* HWY_RESTRICT b, int weight,
                int width, std::uint8_t* HWY_RESTRICT blended) {
-  const hn::ScalableTag<std::int16_t> d16;
-  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
-  const int step = static_cast<int>(hn::Lanes(d16));
+  const int step = static_cast<int>(hn::Lanes(Tag16()));
   if (width < step) return scalar::BlendRows(a, b, weight, width, blended);
-  const auto weights = hn::Set(d16, static_cast<std::int16_t>(weight));
-  const auto half = hn::Set(d16, 1 << (kWeightBits - 1));
-  for (int begin = 0; begin < width; begin += step) {
-    const int x = std::min(begin, width - step);
-    const auto upper = hn::LoadU(d16, a + x);
-    const auto change = Scale(hn::Sub(hn::LoadU(d16, b + x), upper), weights);
-    const auto rounded = hn::ShiftRight<kWeightBits>(hn::Add(hn::Add(upper, half), change));
-    hn::StoreU(hn::DemoteTo(d8, rounded), d8, blended + x);
-  }
+  const bool is_b_nearer = weight >= 1 << (kWeightBits - 1);
+  const int from_nearer = is_b_nearer ? weight - (1 << kWeightBits) : weight;
+  const auto weights = hn::Set(Tag16(), static_cast<std::int16_t>(from_nearer * (1 << 9)));
+  const RowPair rows{a, b, is_b_nearer ? b : a};
+  const int last = width - step;
+  for (int x = 0; x < last; x += step) BlendRegister(rows, weights, x, blended);
+  BlendRegister(rows, weights, last, blended);
 }
 
 #endif
@@ -111,11 +119,11 @@ constexpr int kUnit = 1 << kWeightBits;
 void InterpolateRow(const std::uint8_t* source, const TapGroups& groups, std::int16_t* targets) {
   for (int g = 0; g < groups.count; ++g) {
     for (int i = 0; i < kTapsPerGroup; ++i) {
-      const int first = source[groups.bases[g] + groups.first[g * kTapReach + 2 * i]];
-      const int second = source[groups.bases[g] + groups.second[g * kTapReach + 2 * i]];
-      const int weight = groups.weights[g * kTapsPerGroup + i];
+      const std::uint8_t* taps = groups.taps + g * kTapReach + 2 * i;
+      const std::uint8_t* weights = groups.weights + g * kTapReach + 2 * i;
+      const std::uint8_t* pixels = source + groups.bases[g];
       targets[g * kTapsPerGroup + i] =
-          static_cast<std::int16_t>((kUnit - weight) * first + weight * second);
+          static_cast<std::int16_t>(weights[0] * pixels[taps[0]] + weights[1] * pixels[taps[1]]);
     }
   }
 }

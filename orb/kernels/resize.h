@@ -10,13 +10,12 @@ inline constexpr int kTapsPerGroup = 8;
 inline constexpr int kTapReach = 16;  ///< Source pixels from which the taps of a group read.
 
 /// Linear interpolation at a row of targets, 8 to a group: target 8 g + i takes the source pixels
-/// bases[g] + first[16 g + 2 i] and bases[g] + second[16 g + 2 i], the second with weights[8 g +
-/// i], 0 to 2^7 - 1, and the first with the rest to 2^7. The odd bytes are 0x80.
+/// bases[g] + taps[16 g + 2 i] and bases[g] + taps[16 g + 2 i + 1], with the weights of the same
+/// indices, which add up to 2^7.
 struct TapGroups {
   int count;
-  const std::uint8_t* first;
-  const std::uint8_t* second;
-  const std::int16_t* weights;
+  const std::uint8_t* taps;
+  const std::uint8_t* weights;
   const std::int32_t* bases;
 };
 

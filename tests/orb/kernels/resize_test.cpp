@@ -11,19 +11,21 @@ namespace {
 TEST(InterpolateRowTest, MatchesTheScalarVersion) {
   constexpr int kCount = 43;
   std::mt19937 random(1);
-  std::vector<std::uint8_t> first(kCount * kTapReach, 0x80);
-  std::vector<std::uint8_t> second = first;
-  std::vector<std::int16_t> weights(kCount * kTapsPerGroup);
+  std::vector<std::uint8_t> taps(kCount * kTapReach);
+  std::vector<std::uint8_t> weights(kCount * kTapReach);
   std::vector<std::int32_t> bases(kCount);
-  for (int i = 0; i < kCount * kTapReach; i += 2) first[i] = random() % kTapReach;
-  for (int i = 0; i < kCount * kTapReach; i += 2) second[i] = random() % kTapReach;
-  for (std::int16_t& weight : weights) weight = static_cast<std::int16_t>(random() % 128);
+  for (std::uint8_t& tap : taps) tap = static_cast<std::uint8_t>(random() % kTapReach);
+  for (int i = 0; i < kCount * kTapReach; i += 2) {
+    weights[i + 1] = static_cast<std::uint8_t>(random() % 128);
+    weights[i] = static_cast<std::uint8_t>(128 - weights[i + 1]);
+  }
   for (int g = 0; g < kCount; ++g) bases[g] = 9 * g;
-  const TapGroups groups{kCount, first.data(), second.data(), weights.data(), bases.data()};
+  const TapGroups groups{kCount, taps.data(), weights.data(), bases.data()};
   test::ForEveryInstructionSet([&] {
     for (unsigned seed = 0; seed < 20; ++seed) {
       auto source = test::RandomBytes((kCount - 1) * 9 + kTapReach, seed);
-      for (std::uint8_t& gray : source) gray = static_cast<std::uint8_t>(gray < 50 ? 0 : gray | 15);
+      for (std::uint8_t& gray : source)
+        gray = static_cast<std::uint8_t>(gray < 50 ? 0 : gray > 200 ? 255 : gray);
       std::vector<std::int16_t> row(kCount * kTapsPerGroup);
       std::vector<std::int16_t> expected = row;
       InterpolateRow(source.data(), groups, row.data());
