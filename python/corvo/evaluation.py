@@ -42,6 +42,6 @@ def evaluate(
             estimate.write_tum(file)
             estimate = file
         measures: dict[str, Any] = json.loads(
-            _corvo._evaluate(estimate, truth, align, max_dt_s)
+            _corvo._evaluate(estimate, truth, align, max_dt_s).measures
         )
         return measures

@@ -18,6 +18,7 @@ template <typename Scalar, nanobind::ssize_t... Shape>
 using NumpyArray = nanobind::ndarray<nanobind::numpy, Scalar, nanobind::shape<Shape...>>;
 
 using Ids = NumpyArray<std::int64_t, -1>;
+using Numbers = NumpyArray<double, -1>;
 using Points2 = NumpyArray<double, -1, 2>;
 using Points3 = NumpyArray<double, -1, 3>;
 using Poses = NumpyArray<double, -1, 4, 4>;

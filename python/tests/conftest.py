@@ -16,6 +16,7 @@ from PIL import Image
 import corvo
 
 NUM_FRAMES = 80
+BLACK_FRAMES = range(30, 45)
 
 
 class Sequence(NamedTuple):
@@ -58,6 +59,19 @@ def command_result(room: Sequence, tmp_path_factory: pytest.TempPathFactory) -> 
         command("run", room.folder, "--camera", camera, "-o", folder, "--quiet"), check=True
     )
     return folder
+
+
+@pytest.fixture(scope="session")
+def lost_result(room: Sequence, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The result for images some of which are black; it has no ground truth."""
+    folder = tmp_path_factory.mktemp("lost")
+    (folder / "images").mkdir()
+    for i, image in enumerate(room.images):
+        shown = np.zeros_like(image) if i in BLACK_FRAMES else image
+        Image.fromarray(shown).save(folder / "images" / f"{i:04}.png")
+    options = ["--camera", room.folder / "camera.yaml", "-o", folder / "lost", "--quiet"]
+    subprocess.run(command("run", folder / "images", *options), check=False)
+    return folder / "lost"
 
 
 @pytest.fixture(scope="session")
