@@ -18,8 +18,7 @@ std::vector<char> SelectPoints(const Bundle& bundle, int points_per_view) {
     const auto first = bundle.observations.begin() + begin[point];
     const auto last = bundle.observations.begin() + begin[point + 1];
     is_selected[point] = std::any_of(first, last, [&](const Bundle::Observation& observation) {
-      const Bundle::View& view = bundle.views[observation.view];
-      return !view.is_fixed && view.keyframe != kNoId &&
+      return !bundle.views[observation.view].is_fixed &&
              num_selected[observation.view] < points_per_view;
     });
     if (!is_selected[point]) continue;

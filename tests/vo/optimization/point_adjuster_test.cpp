@@ -72,13 +72,6 @@ TEST(PointSelectionTest, EveryFreeViewHasItsQuota) {
             5 * kPointsPerView);  // Fewer than the sum of the quotas: views share points.
 }
 
-TEST(PointSelectionTest, NoPointIsSelectedForAViewThatIsNoKeyframe) {
-  test::Random random(5);
-  Bundle bundle = MakeBundle(random);
-  for (Bundle::View& view : bundle.views) view.keyframe = kNoId;
-  EXPECT_THAT(SelectPoints(bundle, 20), ::testing::Each(0));
-}
-
 TEST(PointSelectionTest, LongTracksAreSelectedFirst) {
   test::Random random(3);
   const Bundle bundle = MakeBundle(random);
