@@ -40,18 +40,11 @@ void HoldScale(const Bundle& bundle, const std::vector<int>& views, Eigen::Matri
   information.block<3, 3>(row, row) += weight * direction * direction.transpose();
 }
 
-/// Returns the position of each view of a bundle among some of them, or kNoId.
-Eigen::VectorXi PositionsAmong(const std::vector<int>& views, const Bundle& bundle) {
-  Eigen::VectorXi position =
-      Eigen::VectorXi::Constant(static_cast<Eigen::Index>(bundle.views.size()), kNoId);
+/// Returns the rows and columns of some views of a matrix whose lower triangle is filled.
+Eigen::MatrixXd SelectViews(const Eigen::SparseMatrix<double>& lower,
+                            const std::vector<int>& views) {
+  Eigen::VectorXi position = Eigen::VectorXi::Constant(lower.rows() / 6, kNoId);
   for (int i = 0; i < static_cast<int>(views.size()); ++i) position[views[i]] = i;
-  return position;
-}
-
-/// Returns the rows and columns of some views, which have `position`, of a matrix whose lower
-/// triangle is filled.
-Eigen::MatrixXd SelectViews(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& views,
-                            const Eigen::VectorXi& position) {
   const auto size = static_cast<Eigen::Index>(6 * views.size());
   Eigen::MatrixXd selected = Eigen::MatrixXd::Zero(size, size);
   for (int column = 0; column < lower.outerSize(); ++column) {
@@ -73,10 +66,22 @@ Eigen::MatrixXd SelectRows(const Eigen::MatrixXd& matrix, const std::vector<int>
   return selected;
 }
 
-/// Sets the derivatives of the joint points, which follow the camera and their views. Those of the
-/// views by the camera are the 6 rows at their `position`; a view without one is exact.
+/// Returns a matrix with 6 rows for each view of a bundle, which is 0 but for the rows of some
+/// views.
+Eigen::MatrixXd SpreadRows(const Eigen::MatrixXd& rows, const std::vector<int>& views,
+                           const Bundle& bundle) {
+  Eigen::MatrixXd spread =
+      Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(bundle.views.size()), rows.cols());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    spread.middleRows<6>(6 * views[i]) = rows.middleRows<6>(6 * static_cast<Eigen::Index>(i));
+  }
+  return spread;
+}
+
+/// Sets the derivatives of the joint points, which follow the camera and their views.
+/// `views_by_camera` has 6 rows for each view.
 void SetLandmarksByCamera(const Bundle& bundle, const std::vector<char>& is_joint,
-                          const DifferentiableCamera& camera, const Eigen::VectorXi& position,
+                          const DifferentiableCamera& camera,
                           const Eigen::MatrixXd& views_by_camera, KeyframeCovariance& covariance) {
   const Eigen::Matrix3d world_from_local = bundle.world_from_local.rotation().matrix();
   VisitLinearizedPoints(bundle, is_joint, camera, [&](int point, const auto& observations) {
@@ -85,9 +90,7 @@ void SetLandmarksByCamera(const Bundle& bundle, const std::vector<char>& is_join
     for (const LinearizedObservation& o : observations) {
       information += o.by_point.transpose() * o.by_point;
       by_camera += o.by_point.transpose() * o.by_camera;
-      if (position[o.view] == kNoId) continue;
-      by_camera += o.by_point.transpose() *
-                   (o.by_pose * views_by_camera.middleRows<6>(6 * position[o.view]));
+      by_camera += o.by_point.transpose() * (o.by_pose * views_by_camera.middleRows<6>(6 * o.view));
     }
     covariance.landmarks_by_camera[bundle.points[point].landmark] =
         -world_from_local * information.ldlt().solve(by_camera);
@@ -122,8 +125,7 @@ KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bu
   covariance.by_camera = Eigen::MatrixXd::Zero(0, num_free);
   if (covariance.keyframes.empty()) return covariance;
   const ReducedInformation reduced(bundle, is_joint, differentiable, num_free);
-  const Eigen::VectorXi position = PositionsAmong(views, bundle);
-  Eigen::MatrixXd information = SelectViews(reduced.PoseMatrix(), views, position);
+  Eigen::MatrixXd information = SelectViews(reduced.PoseMatrix(), views);
   if (IsScaleFree(bundle)) HoldScale(bundle, views, information);
   information.diagonal().array() += kUnobserved;
   const Eigen::LDLT<Eigen::MatrixXd> solver(information);
@@ -135,7 +137,8 @@ KeyframeCovariance CovarianceOfViews(const CameraPrior& camera, const Bundle& bu
   if (num_free == 0) return covariance;
   const Eigen::MatrixXd by_camera = -solver.solve(SelectRows(reduced.pose_camera(), views));
   covariance.by_camera = by_camera.topRows(rows);
-  SetLandmarksByCamera(bundle, is_joint, differentiable, position, by_camera, covariance);
+  SetLandmarksByCamera(bundle, is_joint, differentiable, SpreadRows(by_camera, views, bundle),
+                       covariance);
   return covariance;
 }
 
