@@ -26,10 +26,11 @@ rr = pytest.importorskip("rerun")
 from rerun.chunk import RrdReader  # noqa: E402
 
 from corvo import view  # noqa: E402
+from corvo.similarity import Similarity  # noqa: E402
 from corvo.view.ellipsoid import make_ellipsoid  # noqa: E402
 from corvo.view.images import MAX_PIXELS, reduction  # noqa: E402
 from corvo.view.path import PathPieces  # noqa: E402
-from corvo.view.result import ResultFrame, align_truth  # noqa: E402
+from corvo.view.result import ResultFrame  # noqa: E402
 from corvo.view.viewer import silent_environment  # noqa: E402
 
 VGA = view.Intrinsics(640, 480, 525, 525, 319.5, 239.5)
@@ -355,7 +356,7 @@ def test_truth_is_aligned_by_the_inverse_of_the_evaluation() -> None:
     )
     estimate = np.array([[0.0, 0, 0], [1, -2, 3], [4, 5, -6]])
     truth = 2.0 * estimate @ turn.T + [1, 2, 3]
-    assert align_truth(truth, similarity) == pytest.approx(estimate)
+    assert Similarity(similarity).apply_inverse(truth) == pytest.approx(estimate)
 
 
 def test_a_folder_that_is_no_input_is_an_error_that_names_it(tmp_path: Path) -> None:

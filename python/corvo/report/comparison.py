@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from corvo import _corvo
-from corvo.report.world import Similarity
 from corvo.result import Result
+from corvo.similarity import Similarity
 
 _MIN_POSES = 3
 """Fewer poses cannot be aligned."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The axes in which positions are drawn: to the right, forward and up."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,19 +33,3 @@ def find_axes(rotations: NDArray[np.float64]) -> Axes:
     up = int(np.argmax(np.abs(down)))
     following, last = (up + 1) % 3, (up + 2) % 3
     return Axes(last, following, up, -1) if down[up] > 0 else Axes(following, last, up, 1)
-
-
-class Similarity:
-    """The transform x_in_truth = scale * R * x_in_estimate + t of an evaluation."""
-
-    def __init__(self, truth_from_estimate: dict[str, Any]) -> None:
-        x, y, z, w = truth_from_estimate["quaternion_xyzw"]
-        cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        self.scale = float(truth_from_estimate["scale"])
-        self.rotation: NDArray[np.float64] = np.eye(3) + 2 * w * cross + 2 * cross @ cross
-        self.translation = np.array(truth_from_estimate["translation"], np.float64)
-
-    def apply(self, positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Returns positions of the estimate, shape (n, 3), in the world of the truth."""
-        moved: NDArray[np.float64] = self.scale * positions @ self.rotation.T + self.translation
-        return moved

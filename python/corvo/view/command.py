@@ -12,9 +12,10 @@ import corvo
 from corvo import _corvo
 from corvo._corvo import Inputs
 from corvo.commands import report
+from corvo.similarity import Similarity
 from corvo.view.live import LiveView
 from corvo.view.recorder import Intrinsics, Recorder
-from corvo.view.result import align_truth, record_result
+from corvo.view.result import record_result
 from corvo.view.sink import Sink
 from corvo.view.viewer import make_stream, save_to, show
 
@@ -92,7 +93,8 @@ def _run(inputs: Inputs, stream: rr.RecordingStream) -> None:
         trajectory = live.finish()
         if inputs.truth_file and trajectory.posed_share > 0:
             evaluation = corvo.evaluate(trajectory, inputs.truth_file)
-            sink.truth(align_truth(inputs.true_positions, evaluation["truth_from_estimate"]))
+            alignment = Similarity(evaluation["truth_from_estimate"])
+            sink.truth(alignment.apply_inverse(inputs.true_positions))
     if sink.num_dropped > 0:
         total = len(trajectory)
         print(f"corvo: {sink.num_dropped} of {total} images were not shown", file=sys.stderr)

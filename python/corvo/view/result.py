@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 import corvo
 from corvo._corvo import ResultImages
+from corvo.similarity import Similarity
 from corvo.view.recorder import Recorder
 
 _PLY_POINT = np.dtype(
@@ -112,7 +113,7 @@ class Replay:
         if evaluation is None or not file.is_file():
             return None
         positions = corvo.read_tum(file)[1][:, :3, 3]
-        return align_truth(positions, evaluation["truth_from_estimate"])
+        return Similarity(evaluation["truth_from_estimate"]).apply_inverse(positions)
 
     def _frame(
         self, row: dict[str, str], observations: NDArray[Any], latency_ms: float
@@ -158,21 +159,6 @@ def record_result(result: corvo.Result, recorder: Recorder) -> None:
     if truth is not None:
         recorder.truth(truth)
     recorder.finish()
-
-
-def align_truth(
-    positions: NDArray[np.float64], truth_from_estimate: dict[str, Any]
-) -> NDArray[np.float64]:
-    """Returns true positions, shape (n, 3), in the world of an estimate.
-
-    Args:
-        truth_from_estimate: The similarity in the results of corvo.evaluate().
-    """
-    x, y, z, w = truth_from_estimate["quaternion_xyzw"]
-    offsets = positions - truth_from_estimate["translation"]
-    turns = 2 * np.cross([-x, -y, -z], offsets)
-    rotated: NDArray[np.float64] = offsets + w * turns + np.cross([-x, -y, -z], turns)
-    return rotated / float(truth_from_estimate["scale"])
 
 
 def _nanoseconds(seconds: str) -> int:
