@@ -37,10 +37,28 @@ std::vector<PartFocal> EstimateParts(const Map& map, const CalibrationCheckOptio
   return parts;
 }
 
-bool Agrees(const PartFocal& part, double median, const CalibrationCheckOptions& options) {
-  const double size = std::abs(part.difference);
-  return size >= options.min_difference && size >= options.min_sigmas * part.sigma &&
-         std::abs(part.difference - median) <= options.max_disagreement * std::abs(median);
+/// Returns the parts that fit another focal length and agree with the median.
+std::vector<PartFocal> AgreeingParts(const std::vector<PartFocal>& parts, double median,
+                                     const CalibrationCheckOptions& options) {
+  std::vector<PartFocal> agreeing;
+  for (const PartFocal& part : parts) {
+    const bool differs = std::abs(part.difference) >= options.min_difference;
+    const double apart = std::abs(part.difference - median);
+    if (differs && apart <= options.max_disagreement * std::abs(median)) agreeing.push_back(part);
+  }
+  return agreeing;
+}
+
+/// Returns the weighted mean of the differences, in its standard deviations. No part alone counts
+/// more than `max_part_sigmas` of its own.
+double PooledSigmas(const std::vector<PartFocal>& parts, const CalibrationCheckOptions& options) {
+  double information = 0, sum = 0;
+  for (const PartFocal& part : parts) {
+    const double sigma = std::max(part.sigma, std::abs(part.difference) / options.max_part_sigmas);
+    information += 1 / (sigma * sigma);
+    sum += part.difference / (sigma * sigma);
+  }
+  return std::abs(sum) / std::sqrt(information);
 }
 
 }  // namespace
@@ -51,15 +69,14 @@ CalibrationCheck CheckCalibration(const Map& map, const CalibrationCheckOptions&
   std::vector<double> differences;
   for (const PartFocal& part : parts) differences.push_back(part.difference);
   const double median = Median(differences);
+  const std::vector<PartFocal> agreeing = AgreeingParts(parts, median, options);
   CalibrationCheck check;
   check.num_parts = static_cast<int>(parts.size());
-  check.num_agreeing =
-      static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const PartFocal& part) {
-        return Agrees(part, median, options);
-      }));
+  check.num_agreeing = static_cast<int>(agreeing.size());
   check.focal_px = map.camera().fx() * std::exp(median);
   check.is_implausible = std::abs(median) >= options.min_median && check.num_agreeing >= 2 &&
-                         2 * check.num_agreeing >= check.num_parts;
+                         2 * check.num_agreeing >= check.num_parts &&
+                         PooledSigmas(agreeing, options) >= options.min_sigmas;
   return check;
 }
 

@@ -149,6 +149,7 @@ struct Pass {
   CameraParameters camera;  // At the end of the pass.
   int num_posed = 0;
   int num_segments = 0;
+  bool is_complete = false;  // Nearly all frames are posed.
   bool prior_rejected = false;
 
   bool IsWorseThan(const Pass& other) const {
@@ -157,8 +158,12 @@ struct Pass {
 };
 
 Pass MakePass(const Odometry& odometry) {
-  Pass pass{odometry.camera().parameters(), 0, 0, odometry.prior_rejected()};
-  for (const Segment& segment : odometry.GetTrajectory().Segments()) {
+  constexpr double kNearlyAll = 0.95;
+  const Trajectory trajectory = odometry.GetTrajectory();
+  Pass pass{odometry.camera().parameters()};
+  pass.is_complete = trajectory.PosedShare() >= kNearlyAll;
+  pass.prior_rejected = odometry.prior_rejected();
+  for (const Segment& segment : trajectory.Segments()) {
     pass.num_posed += segment.num_poses;
     ++pass.num_segments;
   }
@@ -186,6 +191,7 @@ class CameraFinder {
   CameraPrior Run() {
     CameraPrior found = start_.prior;
     double last_change = std::numeric_limits<double>::infinity();
+    int num_diverging = 0;  // Rounds in succession.
     for (int round = 1; round <= options_.max_rounds; ++round) {
       const CameraPrior fixed{found.given, {}};
       Odometry odometry(fixed, options_.odometry, options_.threads);
@@ -194,9 +200,11 @@ class CameraFinder {
       if (best_ && pass.IsWorseThan(*best_)) return Verified(Fallback());
       const CameraPrior adjusted = Adjust(odometry.map());
       const double change = std::abs(std::log(adjusted.given.fx / fixed.given.fx));
-      if (change > options_.max_lens_sigma && change > options_.max_change_ratio * last_change) {
-        return Verified(Fallback());
-      }
+      const bool converges =
+          change <= options_.max_lens_sigma || change <= options_.max_change_ratio * last_change;
+      num_diverging = converges ? 0 : num_diverging + 1;
+      const bool is_last = round == options_.max_rounds || !pass.is_complete;
+      if (num_diverging == 2 || (num_diverging > 0 && is_last)) return Verified(Fallback());
       best_ = pass;
       if (!first_) first_ = pass;
       found = adjusted;
