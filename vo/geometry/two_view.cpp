@@ -11,6 +11,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "vo/geometry/epipolar_motion.h"
 #include "vo/geometry/essential_matrix.h"
 #include "vo/geometry/rotation_estimator.h"
 #include "vo/geometry/triangulation.h"
@@ -48,7 +49,22 @@ std::optional<Eigen::Matrix3d> ToModel(const cv::Mat& matrix) {
   return model;
 }
 
-std::optional<Eigen::Matrix3d> FindEssential(const std::vector<RayMatch>& matches) {
+/// Returns the four motions of an essential matrix E ~ [t]x R (Hartley and Zisserman, 9.6.2).
+std::vector<SE3> DecomposeEssential(const Eigen::Matrix3d& essential) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  Eigen::Matrix3d v = svd.matrixV();
+  if (u.determinant() < 0) u = -u;
+  if (v.determinant() < 0) v = -v;
+  Eigen::Matrix3d w;
+  w << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  const SO3 a(Eigen::Matrix3d(u * w * v.transpose()));
+  const SO3 b(Eigen::Matrix3d(u * w.transpose() * v.transpose()));
+  const Eigen::Vector3d t = u.col(2);
+  return {SE3(a, t), SE3(a, -t), SE3(b, t), SE3(b, -t)};
+}
+
+std::optional<Eigen::Matrix3d> SampleEssential(const std::vector<RayMatch>& matches) {
   const CvMatches points = ToCv(matches);
   const cv::Mat identity = cv::Mat::eye(3, 3, CV_64F);
   const double threshold = std::sqrt(kChiSquare1Dof95) * MedianSigma(matches);
@@ -56,6 +72,35 @@ std::optional<Eigen::Matrix3d> FindEssential(const std::vector<RayMatch>& matche
   return ToModel(cv::findEssentialMat(points.first, points.second, identity, identity,
                                       cv::noArray(), cv::noArray(), mask,
                                       MakeUsacParams(threshold)));
+}
+
+/// Returns the essential matrices of the least Sampson errors that are reached from a motion along
+/// each axis.
+std::vector<Eigen::Matrix3d> FitEssentials(const std::vector<RayMatch>& matches) {
+  std::vector<Eigen::Matrix3d> fits;
+  const SO3 rotation = EstimateRotation(matches);
+  for (int axis = 0; axis < 3; ++axis) {
+    const EpipolarMotion fit =
+        FitEpipolarMotion(matches, {rotation, Eigen::Vector3d::Unit(axis)}).state;
+    fits.push_back(EssentialMatrix(SE3(fit.second_from_first, fit.baseline)));
+  }
+  return fits;
+}
+
+/// Returns the sampled essential matrix or a fitted one that explains clearly more. A sample may
+/// have most matches as inliers and still another motion: where the parallax is small, a rotation
+/// looks like a motion to the side.
+std::optional<Eigen::Matrix3d> FindEssential(const std::vector<RayMatch>& matches) {
+  constexpr double kClearlyMore = 1.03;
+  std::optional<Eigen::Matrix3d> best = SampleEssential(matches);
+  double best_score = best ? kClearlyMore * ScoreEssential(*best, matches).score : 0;
+  for (const Eigen::Matrix3d& fit : FitEssentials(matches)) {
+    const double score = ScoreEssential(fit, matches).score;
+    if (score <= best_score) continue;
+    best_score = score;
+    best = fit;
+  }
+  return best;
 }
 
 std::optional<Eigen::Matrix3d> FindHomography(const std::vector<RayMatch>& matches) {
@@ -83,21 +128,6 @@ double SquaredLineDistance(const Eigen::Vector3d& line, const Eigen::Vector2d& r
 double SquaredTransferError(const Eigen::Matrix3d& homography, const Eigen::Vector2d& from,
                             const Eigen::Vector2d& to) {
   return ((homography * from.homogeneous()).hnormalized() - to).squaredNorm();
-}
-
-/// Returns the four motions of an essential matrix E ~ [t]x R (Hartley and Zisserman, 9.6.2).
-std::vector<SE3> DecomposeEssential(const Eigen::Matrix3d& essential) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  Eigen::Matrix3d v = svd.matrixV();
-  if (u.determinant() < 0) u = -u;
-  if (v.determinant() < 0) v = -v;
-  Eigen::Matrix3d w;
-  w << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  const SO3 a(Eigen::Matrix3d(u * w * v.transpose()));
-  const SO3 b(Eigen::Matrix3d(u * w.transpose() * v.transpose()));
-  const Eigen::Vector3d t = u.col(2);
-  return {SE3(a, t), SE3(a, -t), SE3(b, t), SE3(b, -t)};
 }
 
 bool ReprojectsWithin(const Eigen::Vector3d& in_view, const Eigen::Vector2d& ray, double sigma) {

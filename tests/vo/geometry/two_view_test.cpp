@@ -8,6 +8,7 @@
 
 #include "tests/support/matchers.h"
 #include "tests/support/point_scene.h"
+#include "vo/geometry/essential_matrix.h"
 
 namespace corvo {
 namespace {
@@ -62,6 +63,41 @@ INSTANTIATE_TEST_SUITE_P(Directions, TwoViewMotionTest,
                          ::testing::Values(Eigen::Vector3d(0.6, 0, 0), Eigen::Vector3d(0, 0.6, 0),
                                            Eigen::Vector3d(0, 0, 1.2),
                                            Eigen::Vector3d(0.4, -0.2, -0.5)));
+
+/// Returns matches of a low and wide image, as of a camera on a vehicle, that moves forward by a
+/// tenth of the distance of the nearest points.
+std::vector<RayMatch> MatchForwardViews(const SE3& first_from_second, test::Random& random) {
+  constexpr double kFocal = 300;
+  std::vector<RayMatch> matches;
+  while (matches.size() < 340) {
+    const Eigen::Vector3d sample = random.Vector<3>(1);
+    const double depth = 19 + 11 * sample.z();
+    const Eigen::Vector3d in_first(sample.x() * depth, 0.3 * sample.y() * depth, depth);
+    const Eigen::Vector3d in_second = first_from_second.Inverse() * in_first;
+    matches.push_back({in_first.hnormalized() + random.Vector<2>(1 / kFocal),
+                       in_second.hnormalized() + random.Vector<2>(1 / kFocal), 1 / kFocal});
+  }
+  return matches;
+}
+
+double EssentialScore(const SE3& first_from_second, const std::vector<RayMatch>& matches) {
+  const SE3 motion = first_from_second.Inverse();
+  const SE3 normalized(motion.rotation(), motion.translation().normalized());
+  return ScoreEssential(EssentialMatrix(normalized), matches).score;
+}
+
+TEST(TwoViewTest, TheTrueMotionExplainsHardlyMoreThanTheOneFound) {
+  const SE3 truth(SO3::Exp({-0.001, 0, -0.002}), {-0.002, 0.001, 0.8});
+  for (int seed = 0; seed < 100; ++seed) {
+    test::Random random(seed);
+    const std::vector<RayMatch> matches = MatchForwardViews(truth, random);
+    const TwoViewResult result = EstimateTwoViewMotion(matches, InitializerOptions());
+    ASSERT_EQ(result.reason, Reason::kNone) << seed;
+    EXPECT_GT(EssentialScore(result.first_from_second, matches),
+              0.96 * EssentialScore(truth, matches))
+        << seed;
+  }
+}
 
 TEST(TwoViewTest, PureRotationIsReportedFromItsLeastNumberOfMatchesOn) {
   test::Random random(2);
