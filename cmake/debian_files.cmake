@@ -3,6 +3,11 @@
 # policy asks for beyond an installation.
 cmake_policy(VERSION 3.22)
 
+# The system's libraries that dpkg-shlibdeps looks at are those of a cross-compiled package.
+if(CPACK_DEBIAN_PACKAGE_ARCHITECTURE)
+  set(ENV{DEB_HOST_ARCH} ${CPACK_DEBIAN_PACKAGE_ARCHITECTURE})
+endif()
+
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -3,7 +3,8 @@
 # Makes the files of a release of the last commit, in a clean clone of it: the source archive, the
 # wheel, the Debian packages, a bill of materials and the checksums of all, in the folder
 # OUTPUT_FOLDER/corvo-VERSION (dist/corvo-VERSION). Refuses changes that are not committed, and a
-# version that CHANGELOG.md and CITATION.cff do not name with the same date.
+# version that CHANGELOG.md and CITATION.cff do not name with the same date, or the recipe for conda
+# not at all.
 #
 #   release.sh [--unreleased] [--check] [OUTPUT_FOLDER]
 #
@@ -11,7 +12,7 @@
 #   --check        refuses or not, and makes nothing
 set -euo pipefail
 
-usage() { sed -n '3,11s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,12s/^# \{0,1\}//p' "$0"; }
 
 fail() {
   echo "release.sh: $1" >&2
@@ -34,6 +35,8 @@ require_version_is_named() {
   local heading date
   [ "$(citation version)" = "$version" ] ||
     fail "CITATION.cff names version \"$(citation version)\", CMakeLists.txt $version"
+  grep -qxF "  version: \"$version\"" conda/recipe.yaml ||
+    fail "conda/recipe.yaml does not have version $version"
   heading=$(grep -m 1 '^## ' CHANGELOG.md)
   [[ $heading =~ ^"## $version, "(.+)$ ]] ||
     fail "the first section of CHANGELOG.md is \"$heading\", not \"## $version, DATE\""
