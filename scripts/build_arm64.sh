@@ -94,11 +94,12 @@ if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null; then
   exit 1
 fi
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -c safe.directory="$PWD" log -1 --format=%ct 2>/dev/null || date +%s)}
+export SOURCE_DATE_EPOCH
 key=$({ cat /etc/os-release; echo "${host_packages[*]} ${arm64_packages[*]}"; } | sha256sum | cut -c 1-16)
 root=$(realpath -m "${CORVO_ARM64_ROOTS:-${XDG_CACHE_HOME:-$HOME/.cache}/corvo}")/arm64-root-$key
 [ -e "$root/.complete" ] || make_root
 
-rm -rf build/arm64/packages
+rm -rf build/arm64/packages build/arm64/room
 in_root cmake --preset arm64 -D CORVO_WERROR=ON
 run_tests
 $tests_only || make_packages
