@@ -79,17 +79,17 @@ require_clean_tree
 require_version_is_named
 ! $check || exit 0
 
-release=$output/corvo-$version
-[ ! -e "$release" ] || fail "$release exists"
+[ ! -e "$output/corvo-$version" ] || fail "$output/corvo-$version exists"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-clone=$work/corvo
+clone=$work/corvo release=$work/corvo-$version
 in_git clone --quiet . "$clone"
 SOURCE_DATE_EPOCH=$(in_git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
-mkdir -p "$release"
+mkdir "$release"
 make_source_archive
 make_binaries
-(cd "$release" && sha256sum -- * >SHA256SUMS)
-echo "Release of version $version, commit $(in_git rev-parse --short HEAD): $release"
-cat "$release/SHA256SUMS"
+(cd "$release" && sha256sum -- * | tee SHA256SUMS)
+mkdir -p "$output"
+mv "$release" "$output"
+echo "Release of version $version, commit $(in_git rev-parse --short HEAD): $output/corvo-$version"
