@@ -10,7 +10,7 @@ function(corvo_add_documentation file destination)
   add_custom_command(OUTPUT ${output}
     COMMAND corvo ${ARGN} > ${output}
     DEPENDS corvo VERBATIM)
-  install(FILES ${output} DESTINATION ${CMAKE_INSTALL_DATADIR}/${destination})
+  install(FILES ${output} DESTINATION ${CMAKE_INSTALL_DATADIR}/${destination} COMPONENT command)
   set(corvo_documentation_files ${corvo_documentation_files} ${output} PARENT_SCOPE)
 endfunction()
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` lays down: libraries, headers and the CMake package; with the command also
-# the command and the configurations. The package may be moved: it names no path of this machine.
+# What `cmake --install` lays down: the component `development`, libraries, headers and the CMake
+# package, and with the command the component `command`, which has its configurations, too. The
+# CMake package may be moved: it names no path of this machine.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -10,15 +11,17 @@ set(corvo_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/corvo)
 foreach(component IN ITEMS orb vo opencv)
   set_target_properties(corvo_${component} PROPERTIES EXPORT_NAME ${component})
   install(TARGETS corvo_${component} EXPORT corvo-${component}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_INCLUDEDIR}/corvo)
-  install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir})
+  install(EXPORT corvo-${component} NAMESPACE corvo:: DESTINATION ${corvo_package_dir}
+    COMPONENT development)
 endforeach()
 
 include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
 foreach(header IN LISTS corvo_public_headers)
   get_filename_component(folder ${header} DIRECTORY)
-  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo/${folder})
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/corvo/${folder}
+    COMPONENT development)
 endforeach()
 
 configure_package_config_file(cmake/corvo-config.cmake.in
@@ -28,16 +31,17 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/corvo-config-version.cmak
   COMPATIBILITY SameMinorVersion)
 install(
   FILES ${PROJECT_BINARY_DIR}/corvo-config.cmake ${PROJECT_BINARY_DIR}/corvo-config-version.cmake
-  DESTINATION ${corvo_package_dir})
-install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${corvo_package_dir} COMPONENT development)
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licenses)
 
 # The completions and manual pages are printed by the command itself.
-if(TARGET corvo AND NOT CMAKE_CROSSCOMPILING)
+if(TARGET corvo AND (NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR))
   include(${CMAKE_CURRENT_LIST_DIR}/command_documentation.cmake)
 endif()
 
 if(TARGET corvo)
-  install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(TARGETS corvo_codecs_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/corvo)
-  install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/corvo)
+  install(TARGETS corvo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+  install(TARGETS corvo_codecs_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/corvo/modules
+    COMPONENT command)
+  install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/corvo COMPONENT command)
 endif()

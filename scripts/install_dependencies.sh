@@ -7,9 +7,10 @@
 #
 #   --development   also clang 14, clang-format 14, clang-tidy 14, codespell, doxygen, fish and zsh, in
 #                   which the tests try completions, Chromium, in which they open reports, dpkg-dev,
-#                   nasm and Python's headers, with which the wheel is built, and in the folder .venv
-#                   evo, pycolmap and gtsam (PyPI), with which they compare measures, read exported
-#                   models and close loops; continuous integration uses these
+#                   file and lintian, with which packages are built and checked, a cross compiler for
+#                   ARM64 and qemu, nasm and Python's headers, with which the wheel is built, and in
+#                   the folder .venv evo, pycolmap and gtsam (PyPI), with which they compare measures,
+#                   read exported models and close loops; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
@@ -17,10 +18,10 @@ packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-
   libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libgmock-dev
   libbenchmark-dev gnuplot-nox)
 development=(chromium clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
-  dpkg-dev fish nasm python3-dev python3-venv zsh)
+  dpkg-dev file fish g++-aarch64-linux-gnu lintian nasm python3-dev python3-venv qemu-user-static zsh)
 python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0)
 
-usage() { sed -n '3,12s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,13s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'

@@ -20,7 +20,7 @@ compiled=(libceres-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
 
 version=$("$command" --version)
 # Relative to the command, the module lies at the same place in the build tree and when installed.
-modules=$(find "$(dirname "$(readlink -f "$command")")/.." -path "*/corvo/corvo_codecs-$version.so")
+modules=$(find "$(dirname "$(readlink -f "$command")")/.." -path "*/corvo/modules/corvo_codecs-$version.so")
 [ -n "$modules" ] || { echo "make_sbom.sh: $command: its module of codecs is missing" >&2; exit 1; }
 programs=("$command" "$(head -n 1 <<<"$modules")")
 

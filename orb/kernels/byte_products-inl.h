@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Element i is a[2 i] b[2 i] + a[2 i + 1] b[2 i + 1], where `a` is unsigned and `b` signed: x86's
 // product of bytes, which Highway 1.0 does not have. The sums must fit 16 bits.
 
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_SSSE3
 HWY_INLINE hn::Vec128<std::int16_t> SumByteProducts(hn::Vec128<std::uint8_t> a,
                                                     hn::Vec128<std::int8_t> b) {
   return hn::Vec128<std::int16_t>{_mm_maddubs_epi16(a.raw, b.raw)};

@@ -72,7 +72,8 @@ class EpipolarMatcher {
     const Eigen::Vector3d nearest =
         std::max(options_.min_depth, in_front) * query.direction + query.origin;
     if (!(nearest.z() > 0)) return std::nullopt;
-    return EpipolarSegment{nearest.hnormalized(), query.direction.hnormalized(), {}};
+    return EpipolarSegment{nearest.hnormalized(), query.direction.hnormalized(),
+                           Eigen::Vector3d::Zero()};
   }
 
   /// Returns whether a query and a keypoint may observe the same point: their rays meet in front of
