@@ -9,7 +9,8 @@
 #                   which the tests try completions, Chromium, in which they open reports, dpkg-dev,
 #                   nasm and Python's headers, with which the wheel is built, and in the folder .venv
 #                   evo, pycolmap and gtsam (PyPI), with which they compare measures, read exported
-#                   models and close loops; continuous integration uses these
+#                   models and close loops, and MkDocs with its theme Material (PyPI), which build the
+#                   documentation site; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
@@ -18,9 +19,9 @@ packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-
   libbenchmark-dev gnuplot-nox)
 development=(chromium clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
   dpkg-dev fish nasm python3-dev python3-venv zsh)
-python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0)
+python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0 mkdocs==1.6.1 mkdocs-material==9.8.2)
 
-usage() { sed -n '3,12s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,13s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'
