@@ -26,7 +26,7 @@ NOT_RUN = {
     "python3 -m venv ": "is followed by the installation; scripts/test_wheel.sh does",
     "rerun ": "opens a window",
     "corvo view result/03": "opens a window; python/tests/test_view.py records what it shows",
-    "corvo view drive.mp4 --focal auto": "opens a window; with --save it runs",
+    "corvo view drive.mp4 --focal auto": "opens a window",
     "corvo run camera:0": "needs a connected camera",
 }
 """Beginnings of commands that are not run, and why."""
