@@ -33,8 +33,9 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     for path in sorted(API.iterdir()):
         if path.is_file():
             files.append(File.generated(config, f"api/{path.name}", abs_src_path=str(path)))
-    worker = Path(__file__).with_name("iframe-worker.js")
-    files.append(File.generated(config, worker.name, abs_src_path=str(worker)))
+    for name in ["iframe-worker.js", "site.css"]:
+        path = Path(__file__).with_name(name)
+        files.append(File.generated(config, name, abs_src_path=str(path)))
     for file in [file for file in files if file.is_documentation_page()]:
         for path in _linked_sources(file):
             if _source_page(path) not in files.src_uris:
