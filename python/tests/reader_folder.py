@@ -17,7 +17,7 @@ from bag_file import BagFile
 import corvo
 
 FRAMES = 40
-KITTI_FRAMES = 80
+KITTI_FRAMES = 60
 CAMERA = "model: pinhole-radtan\nwidth: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 319.5\ncy: 239.5\n"
 COMMANDS = {"corvo": "corvo", "corvo-bag": "corvo.pose_bag", "corvo-vslam-lab": "corvo.vslam_lab"}
 

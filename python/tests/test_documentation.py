@@ -11,10 +11,12 @@ from pathlib import Path
 import pytest
 from conftest import command
 from documentation import PAGES, ROOT, SHELL, blocks, commands, programs
-from reader_folder import environment, make_reader_folder
+
+import corvo
 
 pytest.importorskip("cv2")
 pytest.importorskip("rosbags")
+from reader_folder import CAMERA, environment, make_reader_folder  # noqa: E402
 
 NOT_RUN = {
     "bash scripts/": "builds, installs or measures for minutes to hours",
@@ -38,7 +40,7 @@ SUBSTITUTES = {
     r"^(corvo synth room .*)": r"\1 --frames 40",  # 300 frames take longer, and show nothing else.
     r"^(corvo learn bsds500/train .*)": r"\1 --keypoints 2000",
     r"images/left\*\.png": "images/left*.jpg",
-    r" -d 100 -u m ": " -d 50 -u m ",  # The clip is 60 m long.
+    r" -d 100 -u m ": " -d 30 -u m ",  # The clip is 45 m long.
     r"^(corvo calibrate .*) -o camera\.yaml": r"\1 -o calibrated.yaml",  # camera.yaml is an input, too.
     r"\bRESULT\b": "result/mh_01",
     r"\btruth\.txt\b": "result/drive/trajectory.tum",
@@ -144,6 +146,15 @@ def test_commands_are_marked_as_such() -> None:
                 assert not re.search(r"^(\$ |corvo |bash |pip )", block.text, re.M), (
                     f"{page}:{block.line}"
                 )
+
+
+def test_camera_files_in_the_text_are_read(tmp_path: Path) -> None:
+    texts = [block.text for page in PAGES for block in blocks(page) if block.language == "yaml"]
+    assert any("model:" in text for text in texts)
+    for i, text in enumerate(texts):
+        file = tmp_path / f"{i}.yaml"
+        file.write_text(text if "model:" in text else CAMERA + text)
+        corvo.Camera.load(file)
 
 
 def test_the_page_of_options_is_that_of_the_command() -> None:
