@@ -19,7 +19,8 @@ from mkdocs.structure.pages import Page
 ROOT = Path(__file__).parents[2]
 API = ROOT / "build" / "api" / "html"
 OUTSIDE = {"README.md": "index.md"} | {
-    name: name for name in ["datasets/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+    name: name
+    for name in ["datasets/README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"]
 }
 """Markdown files outside of docs/, and their places on the site."""
 
