@@ -10,7 +10,8 @@
 #                   file and lintian, with which packages are built and checked, a cross compiler for
 #                   ARM64 and qemu, nasm and Python's headers, with which the wheel is built, and in
 #                   the folder .venv evo, pycolmap and gtsam (PyPI), with which they compare measures,
-#                   read exported models and close loops; continuous integration uses these
+#                   read exported models and close loops, and MkDocs with its theme Material (PyPI),
+#                   which build the documentation site; continuous integration uses these
 set -euo pipefail
 
 # libopencv-dev whole: its component packages carry no CMake files.
@@ -19,7 +20,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libopencv-dev libceres-dev libtbb-
   libbenchmark-dev gnuplot-nox)
 development=(chromium clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 codespell doxygen
   dpkg-dev file fish g++-aarch64-linux-gnu lintian nasm python3-dev python3-venv qemu-user-static zsh)
-python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0)
+python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0 mkdocs==1.6.1 mkdocs-material==9.8.2)
 
 usage() { sed -n '3,13s/^# \{0,1\}//p' "$0"; }
 

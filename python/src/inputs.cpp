@@ -22,6 +22,7 @@
 #include "python/src/bindings.h"
 #include "python/src/images.h"
 #include "python/src/shared_odometry.h"
+#include "vo/io/trajectory_io.h"
 
 namespace corvo::python {
 namespace {
@@ -143,9 +144,12 @@ Raises:
       .def(nb::init<const std::vector<std::string>&>(), nb::arg("arguments"))
       .def("odometry", &Inputs::MakeOdometry, "Makes an odometry for the images.")
       .def_prop_ro("camera", &Inputs::camera, "The given camera of the images.")
-      .def_prop_ro(
-          "truth_file", [](const Inputs& inputs) { return inputs.truth().file.string(); },
-          "The file of the ground truth, or an empty text.")
+      .def(
+          "write_truth",
+          [](const Inputs& inputs, const std::filesystem::path& file) {
+            WriteTum(file, inputs.truth().poses);
+          },
+          nb::arg("file"), "Writes the ground truth, as poses of the camera, in TUM's format.")
       .def_prop_ro("true_positions", &TruePositions, nb::rv_policy::automatic,
                    "float64 of shape (n, 3): the ground truth; n is 0 if there is none.")
       .def(

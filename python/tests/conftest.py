@@ -2,11 +2,14 @@
 """A rendered sequence, its images as arrays, and what the command makes of it."""
 
 import os
+import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from decimal import Decimal
+from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pytest
@@ -14,6 +17,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import corvo
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 NUM_FRAMES = 80
 BLACK_FRAMES = range(30, 45)
@@ -83,3 +89,21 @@ def data() -> Path:
     if os.environ.get("CI"):
         pytest.fail("CORVO_DATA names no folder of real images")
     pytest.skip("CORVO_DATA names no folder of real images")
+
+
+@pytest.fixture(scope="session")
+def browser() -> "Iterator[Browser]":
+    """Tests are skipped without a browser, or fail if CI is set."""
+    chromium = shutil.which("chromium")
+    if chromium is None or find_spec("playwright") is None:
+        missing = "chromium" if chromium is None else "playwright"
+        if os.environ.get("CI"):
+            pytest.fail(f"{missing} is not installed")
+        pytest.skip(f"{missing} is not installed")
+    from playwright.sync_api import sync_playwright
+
+    arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=chromium, args=arguments)
+        yield opened
+        opened.close()

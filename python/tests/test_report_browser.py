@@ -2,11 +2,7 @@
 """The page of `corvo report` in a browser: Debian's Chromium, driven by Playwright."""
 
 import io
-import os
-import shutil
 import time
-from collections.abc import Iterator
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -46,24 +42,6 @@ class OpenPage(NamedTuple):
             }"""
         )
         return focused
-
-
-@pytest.fixture(scope="module")
-def browser() -> "Iterator[Browser]":
-    """Tests are skipped without a browser, or fail if CI is set."""
-    chromium = shutil.which("chromium")
-    if chromium is None or find_spec("playwright") is None:
-        missing = "chromium" if chromium is None else "playwright"
-        if os.environ.get("CI"):
-            pytest.fail(f"{missing} is not installed")
-        pytest.skip(f"{missing} is not installed")
-    from playwright.sync_api import sync_playwright
-
-    arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=chromium, args=arguments)
-        yield opened
-        opened.close()
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,11 @@ import argparse
 import sys
 import time
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
+import numpy as np
 import rerun as rr
+from numpy.typing import NDArray
 
 import corvo
 from corvo import _corvo
@@ -91,13 +94,20 @@ def _run(inputs: Inputs, stream: rr.RecordingStream) -> None:
         except KeyboardInterrupt:
             print("corvo: interrupted; what was found is shown", file=sys.stderr)
         trajectory = live.finish()
-        if inputs.truth_file and trajectory.posed_share > 0:
-            evaluation = corvo.evaluate(trajectory, inputs.truth_file)
-            alignment = Similarity(evaluation["truth_from_estimate"])
-            sink.truth(alignment.apply_inverse(inputs.true_positions))
+        if len(inputs.true_positions) > 0 and trajectory.posed_share > 0:
+            sink.truth(_align_truth(inputs, trajectory))
     if sink.num_dropped > 0:
         total = len(trajectory)
         print(f"corvo: {sink.num_dropped} of {total} images were not shown", file=sys.stderr)
+
+
+def _align_truth(inputs: Inputs, trajectory: corvo.Trajectory) -> NDArray[np.float64]:
+    """Returns the true path in the world of the trajectory, shape (n, 3)."""
+    with TemporaryDirectory(prefix="corvo_") as folder:
+        truth = Path(folder) / "groundtruth.tum"
+        inputs.write_truth(truth)
+        evaluation = corvo.evaluate(trajectory, truth)
+    return Similarity(evaluation["truth_from_estimate"]).apply_inverse(inputs.true_positions)
 
 
 def _process_images(inputs: Inputs, odometry: corvo.Odometry, live: LiveView) -> None:
