@@ -18,14 +18,20 @@ Run the odometry on many sequences, with several options and perturbations, as a
 them. Finished runs are kept: the same command goes on where it was ended."""
 
 _EPILOG = """\
-Exit codes: 0 done, 1 invalid usage or plan, 3 runs failed, 130 interrupted.
+Exit codes: 0 done, 1 invalid usage or plan, 2 worse than the baseline, 3 runs failed, without a
+baseline, 130 interrupted.
 
 Examples:
   corvo sweep plan.yaml -o sweep                             # over the cores of this machine
-  corvo sweep plan.yaml -o sweep --address auto              # on a cluster of Ray"""
+  corvo sweep plan.yaml -o sweep --address auto              # on a cluster of Ray
+  corvo sweep plan.yaml -o sweep --baseline rows.parquet     # a regression is exit code 2"""
 
 
 _PACKAGES = ("duckdb", "fsspec", "PIL", "plotly", "pyarrow", "ray")
+
+
+_WORSE = 2
+_FAILED = 3
 
 
 class _Parser(argparse.ArgumentParser):
@@ -56,11 +62,22 @@ def _check_packages() -> None:
 
 def _sweep(given: argparse.Namespace) -> int:
     plan = read_plan(given.plan)
+    if given.baseline and not given.baseline.is_file():
+        raise _corvo.Error(f"{given.baseline}: does not exist; allowed are the rows of a sweep")
     with Journal(given.output) as journal:
         sweep = Sweep(plan, journal)
-        sweep.run(given.address, given.workers, retry=given.retry_failed)
-        print(f"{len(sweep.tasks)} runs, {len(sweep.failed)} failed: {given.output}")
-        return 3 if sweep.failed else 0
+        try:
+            sweep.run(given.address, given.workers, retry=given.retry_failed)
+        except BaseException:
+            sweep.summarize()
+            raise
+        regression = sweep.summarize(given.baseline)
+    print(f"{len(sweep.tasks)} runs, {sweep.num_failed} failed: {given.output}")
+    if regression is None:
+        return _FAILED if sweep.num_failed else 0
+    for line in regression.lines():
+        print(line)
+    return _WORSE if regression.is_worse else 0
 
 
 def _make_parser() -> argparse.ArgumentParser:
@@ -82,6 +99,9 @@ def _make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--address", help="join the cluster of Ray with this address, or 'auto'")
     parser.add_argument(
         "--retry-failed", action="store_true", help="run again what failed in an earlier execution"
+    )
+    parser.add_argument(
+        "--baseline", metavar="ROWS.parquet", type=Path, help="rows of an earlier sweep to compare"
     )
     return parser
 

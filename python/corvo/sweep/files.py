@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Files that appear as a whole."""
+"""The files of a sweep, which appear as a whole."""
 
 import os
 from pathlib import Path
+
+
+ROWS = "rows.parquet"
+"""What was measured: the same for every execution of a plan."""
+RUNS = "runs.parquet"
+"""Times, attempts, machines and the last lines of output: different every time."""
+PAGE = "report.html"
 
 
 def write_whole(file: Path, content: bytes) -> None:

@@ -17,6 +17,11 @@ class Metric:
     unit: str = ""
 
     @property
+    def is_relative(self) -> bool:
+        """Whether changes are relative: those of errors are, not those of shares and counts."""
+        return bool(self.unit)
+
+    @property
     def worst(self) -> float:
         """The value that stands for unknown ones, such as the error of a run without poses."""
         return float("inf") if self.better == "less" else 0.0
