@@ -9,6 +9,7 @@ import logging
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -39,7 +40,8 @@ def sweep_on_cluster(plan: Path, folder: Path, num_nodes: int, kills: list[int])
         print(output + messages, file=sys.stderr)
         return process.returncode
     finally:
-        cluster.shutdown()
+        stop: Callable[[], None] = cluster.shutdown
+        stop()
 
 
 def _wait_for_runs(journal: Path, count: int, process: subprocess.Popen[str]) -> None:

@@ -80,7 +80,7 @@ def test_a_run_that_takes_longer_is_ended(room: Room) -> None:
     start = time.monotonic()
     outcome = run_in_child(task_of(room, Perturbation(passes=1000)), Limits(1.5))
     assert (outcome.failure, outcome.detail) == ("time", "took longer than 1.5 s")
-    assert time.monotonic() - start < 10
+    assert time.monotonic() - start < 60
 
 
 def test_a_run_that_crashes_leaves_its_last_lines(
@@ -112,7 +112,7 @@ def test_a_run_ends_with_its_worker(room: Room, tmp_path: Path) -> None:
             time.sleep(0.02)
         time.sleep(1)  # Its images are being processed.
         worker.send_signal(signal.SIGKILL)
-    deadline = time.monotonic() + 10
+    deadline = time.monotonic() + 60
     while sweep_support.is_running(run) and time.monotonic() < deadline:
         time.sleep(0.02)
     assert not sweep_support.is_running(run)

@@ -3,35 +3,42 @@
 
 import json
 import os
+import re
+import shutil
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import pytest
 from sweep_support import PACKAGES  # Skips without corvo[sweep].
 
+import yaml
+
 import corvo
 from corvo.sweep.content import ContentHashes
+from corvo.sweep.downloads import fetch
 from corvo.sweep.inputs import Input
 from corvo.sweep.limits import Limits
 from corvo.sweep.options import OptionSet
 from corvo.sweep.perturbation import Perturbation
 from corvo.sweep.plan import Plan, read_plan
+from corvo.sweep.tables import ROW_SCHEMA
 from corvo.sweep.tasks import make_tasks
 
+REPOSITORY = Path(__file__).parents[2]
 
-def write_plan(folder: Path, **fields: Any) -> Path:
-    """Writes a plan, of which JSON is a form, with an input."""
+
+def read(folder: Path, **given: Any) -> Plan:
+    """Reads a plan with an input, unless others are given. JSON is a form of YAML."""
     (folder / "film.mp4").touch()
     file = folder / "plan.yaml"
-    file.write_text(json.dumps({"inputs": [{"path": "film.mp4"}], **fields}))
-    return file
-
-
-def read(folder: Path, **fields: Any) -> Plan:
-    return read_plan(write_plan(folder, **fields))
+    file.write_text(json.dumps({"inputs": [{"path": "film.mp4"}], **given}))
+    return read_plan(file)
 
 
 def test_a_plan_of_an_input_alone_is_one_run_with_default_options(tmp_path: Path) -> None:
@@ -43,7 +50,7 @@ def test_a_plan_of_an_input_alone_is_one_run_with_default_options(tmp_path: Path
 
 
 @pytest.mark.parametrize(
-    ("fields", "message"),
+    ("given", "message"),
     [
         ({"input": []}, "has the unknown key input; did you mean inputs?"),
         ({"inputs": []}, "inputs is []; allowed is a list that is not empty"),
@@ -90,10 +97,10 @@ def test_a_plan_of_an_input_alone_is_one_run_with_default_options(tmp_path: Path
     ],
 )
 def test_an_error_names_file_field_value_and_what_is_allowed(
-    tmp_path: Path, fields: dict[str, Any], message: str
+    tmp_path: Path, given: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(corvo.Error) as caught:
-        read(tmp_path, **fields)
+        read(tmp_path, **given)
     assert str(caught.value).startswith(f"{tmp_path / 'plan.yaml'}: ")
     assert message in str(caught.value)
 
@@ -281,3 +288,83 @@ def test_a_missing_package_is_named(package: str) -> None:
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert process.returncode == 1
     assert process.stderr == f"corvo: error: {package} is not installed: pip install corvo[sweep]\n"
+
+
+def test_the_plan_of_the_documentation_is_one(tmp_path: Path) -> None:
+    text = (REPOSITORY / "docs" / "sweep.md").read_text()
+    example = yaml.safe_load(text.partition("```yaml\n")[2].partition("```")[0])
+    inputs = example.pop("inputs")
+    plan = read(tmp_path, **example)
+    assert (len(plan.options), len(plan.perturbations)) == (4, 5)
+    documented = text.partition("| inputs |")[2].partition("\n\n")[0]
+    assert all(f"`{key}`" in documented for entry in inputs for key in entry)
+
+
+def test_every_perturbation_and_column_is_documented() -> None:
+    text = (REPOSITORY / "docs" / "sweep.md").read_text()
+    perturbations = text.partition("| perturbations |")[2].partition("\n\n")[0]
+    assert re.findall(r"^\| `(\w+)`", perturbations, re.M) == [f.name for f in fields(Perturbation)]
+    columns = text.partition("| column |")[2].partition("\n\n")[0]
+    first_cells = re.findall(r"^\| (`.*?) \|", columns, re.M)
+    documented = {name for cell in first_cells for name in re.findall(r"`(\w+)`", cell)}
+    assert documented == set(ROW_SCHEMA.names)
+
+
+def test_the_plan_of_the_benchmark_has_its_runs(
+    data: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CORVO_DATA", str(data))
+    plan = read_plan(REPOSITORY / "bench" / "odometry.yaml")
+    tasks = list(make_tasks(plan, {entry.name: entry.name for entry in plan.inputs}, "1"))
+    assert len(tasks) == 100
+    assert sum(not task.is_judged for task in tasks) == 4
+
+
+@pytest.fixture
+def archive(tmp_path: Path) -> Path:
+    (tmp_path / "source" / "images").mkdir(parents=True)
+    for name in ("a.png", "b.png"):
+        (tmp_path / "source" / "images" / name).write_text(name)
+    file = shutil.make_archive(str(tmp_path / "archive"), "zip", tmp_path / "source")
+    return Path(file)
+
+
+def test_an_input_behind_a_url_is_copied_once(archive: Path, tmp_path: Path) -> None:
+    url = f"zip://images::file://{archive}"
+    entry = read(tmp_path, inputs=[{"path": url, "name": "images"}]).inputs[0]
+    before = hash_of(entry, tmp_path)
+    copy = fetch(url)
+    assert sorted(file.name for file in copy.iterdir()) == ["a.png", "b.png"]
+    inode = copy.stat().st_ino
+    assert fetch(url) == copy and copy.stat().st_ino == inode
+    (tmp_path / "source" / "images" / "b.png").write_text("changed")
+    shutil.make_archive(str(tmp_path / "archive"), "zip", tmp_path / "source")
+    assert hash_of(entry, tmp_path) != before
+    assert (fetch(url) / "b.png").read_text() == "changed"
+
+
+def test_a_pattern_in_a_url_names_inputs(archive: Path, tmp_path: Path) -> None:
+    inputs = read(tmp_path, inputs=[{"path": f"file://{tmp_path}/source/images/*.png"}]).inputs
+    assert [entry.name for entry in inputs] == ["images/a.png", "images/b.png"]
+    assert fetch(inputs[0].location).read_text() == "a.png"
+
+
+def test_an_input_comes_from_a_server(images: Input, tmp_path: Path) -> None:
+    handler = partial(SimpleHTTPRequestHandler, directory=str(tmp_path))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        url = f"http://127.0.0.1:{server.server_port}/images/b.png"
+        entry = read(tmp_path, inputs=[{"path": url, "name": "images"}]).inputs[0]
+        before = hash_of(entry, tmp_path)
+        assert fetch(url).read_text() == "images/b.png"
+        (tmp_path / "images" / "b.png").write_text("of another size")
+        assert hash_of(entry, tmp_path) != before
+        assert fetch(url).read_text() == "of another size"
+        server.shutdown()
+
+
+@pytest.mark.parametrize("url", ["https://127.0.0.1:1/film.mp4", "nothing://film.mp4"])
+def test_a_url_that_cannot_be_read_is_an_error(url: str, tmp_path: Path) -> None:
+    entry = read(tmp_path, inputs=[{"path": url, "name": "images"}]).inputs[0]
+    with pytest.raises(corvo.Error, match=url):
+        hash_of(entry, tmp_path)

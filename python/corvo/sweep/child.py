@@ -77,23 +77,20 @@ def _watch(process: subprocess.Popen[bytes], limits: Limits) -> _Ending:
     cannot be read, and thus a wrong outcome.
     """
     deadline = time.monotonic() + limits.time_s
+    max_pages = limits.memory_mb * (1 << 20) // os.sysconf("SC_PAGE_SIZE")
     handle = os.pidfd_open(process.pid)
     try:
         poll = select.poll()
         poll.register(handle, select.POLLIN)
-        while not poll.poll(1e3 * _LOOK_S):
-            if time.monotonic() > deadline:
-                return "time"
-            if _memory_mb(process.pid) > limits.memory_mb:
-                return "memory"
+        with open(f"/proc/{process.pid}/statm", "rb") as memory:
+            while not poll.poll(1e3 * _LOOK_S):
+                if time.monotonic() > deadline:
+                    return "time"
+                if int(os.pread(memory.fileno(), 100, 0).split()[1]) > max_pages:
+                    return "memory"
     finally:
         os.close(handle)
     return process.wait()
-
-
-def _memory_mb(pid: int) -> float:
-    pages = Path(f"/proc/{pid}/statm").read_text().split()[1]
-    return int(pages) * os.sysconf("SC_PAGE_SIZE") / (1 << 20)
 
 
 def _outcome(folder: Path, ending: _Ending, limits: Limits) -> Outcome:

@@ -19,6 +19,9 @@ _MAX_LOSSES = 10
 _GRACE_S = 120.0
 """What a worker may need beyond the limits of its runs, s, before it counts as hanging."""
 
+_START_ATTEMPTS = 3
+"""Ray gives up after half a minute, which a busy machine may need."""
+
 _OBJECT_STORE_BYTES = 80 << 20
 """Outcomes are a few kilobytes and pass by the store."""
 
@@ -40,14 +43,25 @@ def connect(address: str | None, workers: int | None) -> Iterator[None]:
         "object_store_memory": _OBJECT_STORE_BYTES,
     }
     given = {"address": address} if address else {"address": "local", **local}
-    try:
-        ray.init(logging_level=logging.ERROR, log_to_driver=False, **given)
-    except (ConnectionError, RuntimeError, ValueError) as error:
-        raise Error(f"Ray cannot be used: {error}") from None
+    common = {"logging_level": logging.ERROR, "log_to_driver": False}
+    _start(common | given, attempts=1 if address else _START_ATTEMPTS)
     try:
         yield
     finally:
         ray.shutdown()
+
+
+def _start(options: dict[str, Any], attempts: int) -> None:
+    import ray
+
+    for attempt in range(attempts):
+        try:
+            ray.init(**options)
+            return
+        except Exception as error:  # Ray raises also those of no other class.
+            ray.shutdown()
+            if attempt == attempts - 1:
+                raise Error(f"Ray cannot be used: {error}") from None
 
 
 def run_on_cluster(

@@ -27,7 +27,7 @@ def spread_figure(groups: Sequence[Group], options: Sequence[str], metric: Metri
     sequences = list(dict.fromkeys(group.input for group in drawn))
     figure = Figure(
         f"spread-{metric.name}",
-        f"{metric.title} of each sequence",
+        f"{metric.title}, by sequence",
         "A dot is the median of the runs, the bar its 95% interval, the cross the worst run.",
     )
     for index, label in enumerate(options):

@@ -21,7 +21,7 @@ class Change:
     tolerance: float
     num_runs: int
     median: float
-    """The median change: of the ratio for errors, otherwise of the difference; worse if positive."""
+    """The median change, worse if positive: relative for errors, otherwise a difference."""
     interval: Interval
     """Of the median, if sequences are resampled."""
     num_lost: int

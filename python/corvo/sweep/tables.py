@@ -19,7 +19,7 @@ _NUMBERS = ("posed_share", "rotation_share", "coverage", "ate", "ate_percent", "
             "rpe_deg", "rotation_deg", "t_rel_percent", "r_rel_deg_per_100m", "scale_drift",
             "scale_percent_per_km")  # fmt: skip
 
-_ROW_SCHEMA = pa.schema(
+ROW_SCHEMA = pa.schema(
     [(name, pa.string()) for name in ("key", "input", "options", "perturbation")]
     + [("judged", pa.bool_()), ("failure", pa.string()), ("detail", pa.string())]
     + [(name, pa.int64()) for name in _INTEGERS]
@@ -41,7 +41,7 @@ def write_rows(
 ) -> None:
     """Writes what finished runs measured, in the order of the plan."""
     rows = [_row(task, outcomes[task.key], build) for task in tasks if task.key in outcomes]
-    _write(file, rows, _ROW_SCHEMA)
+    _write(file, rows, ROW_SCHEMA)
 
 
 def write_runs(file: Path, tasks: Iterable[Task], outcomes: Mapping[str, Outcome]) -> None:

@@ -5,6 +5,7 @@ import hashlib
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
+from functools import cache
 from importlib.metadata import version
 from typing import Any
 
@@ -54,6 +55,7 @@ def make_tasks(plan: Plan, contents: Mapping[str, str], build: str) -> Iterator[
                 yield Task(key, content, entry, options, perturbation)
 
 
+@cache
 def build_of_corvo() -> str:
     """Returns the version and a hash of the program's own code."""
     with open(str(_corvo.__file__), "rb") as stream:
