@@ -22,7 +22,7 @@ development=(chromium clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 
   dpkg-dev file fish g++-aarch64-linux-gnu lintian nasm python3-dev python3-venv qemu-user-static zsh)
 python_packages=(evo==1.38.1 pycolmap==4.2.1 gtsam==4.3.0 mkdocs==1.6.1 mkdocs-material==9.8.2)
 
-usage() { sed -n '3,13s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,14s/^# \{0,1\}//p' "$0"; }
 
 fail_unsupported() {
   cat >&2 <<'TEXT'

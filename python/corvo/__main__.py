@@ -9,6 +9,7 @@ from corvo.commands import report
 
 _EXTRAS = {
     "report": "'corvo report RESULT... -o FILE' writes a page on runs; see 'corvo report --help'.",
+    "sweep": "'corvo sweep PLAN -o DIR' runs many sequences; see 'corvo sweep --help'.",
     "view": "'corvo view RESULT|INPUT' shows a run in Rerun; see 'corvo view --help'.",
 }
 """The commands of the package alone. Each needs the extra of its name."""

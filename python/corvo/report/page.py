@@ -1,77 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The page as a whole."""
+"""The page about runs."""
 
 from collections.abc import Sequence
-from importlib.resources import files
 
-from plotly.offline import get_plotlyjs
-
-from corvo.report.figure import Figure, encode
-from corvo.report.html import attribute, markup
+from corvo.report.document import make_document
 from corvo.report.run import Run
-from corvo.report.sections import Section, make_sections
-
-_POLICY = (
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "img-src data: blob:; form-action 'none'; base-uri 'none'"
-)
-"""A browser that follows it loads nothing from elsewhere, and sends nothing."""
+from corvo.report.sections import make_sections
 
 
 def make_page(runs: Sequence[Run]) -> str:
     """Returns the HTML of a page about runs. It loads nothing from anywhere."""
-    sections = make_sections(runs)
     names = ", ".join(run.name for run in runs)
-    figures = [figure for section in sections for figure in section.figures()]
-    return f"""<!DOCTYPE html>
-<html lang="en">
-{_head(names)}<body>
-<a class="skip" href="#content">Skip to the content</a>
-<header>
-<h1>corvo report: {markup(names)}</h1>
-{_navigation(sections)}</header>
-<main id="content" tabindex="-1">
-<noscript><p>The plots need JavaScript; the tables do not.</p></noscript>
-{"".join(section.html() for section in sections)}</main>
-<footer>
-<p>Written by <code>corvo report</code>. This page contains plotly.js (MIT license).</p>
-</footer>
-{_scripts(figures)}</body>
-</html>
-"""
-
-
-def _head(names: str) -> str:
-    return f"""<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{_POLICY}">
-<meta name="color-scheme" content="light dark">
-<meta name="generator" content="corvo report">
-<link rel="icon" href="data:,">
-<title>corvo report: {attribute(names)}</title>
-<style>
-{_asset("page.css")}</style>
-</head>
-"""
-
-
-def _scripts(figures: list[Figure]) -> str:
-    return f"""<script>
-{get_plotlyjs()}
-</script>
-<script type="application/json" id="figures">{encode(figures)}</script>
-<script>
-{_asset("page.js")}</script>
-"""
-
-
-def _navigation(sections: Sequence[Section]) -> str:
-    links = "".join(
-        f'<li><a href="#{section.name}">{markup(section.title)}</a></li>\n' for section in sections
-    )
-    return f'<nav aria-label="Sections">\n<ul>\n{links}</ul>\n</nav>\n'
-
-
-def _asset(name: str) -> str:
-    return files("corvo.report").joinpath(name).read_text(encoding="utf-8")
+    return make_document("corvo report", names, make_sections(runs))

@@ -2,39 +2,21 @@
 """The sections of a page."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from corvo.report.camera import camera_figure, parameters_of
 from corvo.report.doubts import doubts_of
 from corvo.report.error_figures import error_figures
 from corvo.report.figure import Figure
 from corvo.report.frame_figures import masked_figure, timeline
-from corvo.report.html import bullets, markup, number, paragraph, table
+from corvo.report.html import bullets, number, paragraph, table
 from corvo.report.options_tables import options_tables
 from corvo.report.run import Run
+from corvo.report.section import Section
 from corvo.report.spans_table import spans_table, states_list
 from corvo.report.summary_table import summary_table
 from corvo.report.timing import STAGES, percentiles
 from corvo.report.timing_figure import timing_figure
 from corvo.report.trajectory_figures import trajectory_figures
-
-
-@dataclass(frozen=True)
-class Section:
-    name: str
-    title: str
-    content: list[str | Figure]
-
-    def html(self) -> str:
-        parts = [part.html() if isinstance(part, Figure) else part for part in self.content]
-        return (
-            f'<section id="{self.name}" aria-labelledby="{self.name}-heading">\n'
-            f'<h2 id="{self.name}-heading" tabindex="-1">{markup(self.title)}</h2>\n'
-            f"{''.join(parts)}</section>\n"
-        )
-
-    def figures(self) -> list[Figure]:
-        return [part for part in self.content if isinstance(part, Figure)]
 
 
 def make_sections(runs: Sequence[Run]) -> list[Section]:

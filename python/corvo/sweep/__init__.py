@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Runs over many sequences, options and perturbations: `pip install corvo[sweep]`."""
