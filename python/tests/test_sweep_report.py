@@ -14,7 +14,7 @@ import pytest
 import sweep_support  # noqa: F401  Skips without corvo[sweep].
 from conftest import Sequence as Room
 from test_report import figures_of, without_plotly
-from test_report_browser import SIZES_OF_DRAWINGS, browser, open_page  # noqa: F401
+from test_report_browser import SIZES_OF_DRAWINGS, open_page
 
 import corvo
 from corvo.sweep.bootstrap import grouped_median_interval, median_interval
@@ -231,7 +231,7 @@ def test_a_sweep_without_runs_has_a_page(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("width", [360, 1440])
 def test_a_browser_draws_every_plot(
-    browser: "Browser", folder: Path, width: int  # noqa: F811
+    browser: "Browser", folder: Path, width: int
 ) -> None:
     opened = open_page(browser, folder / PAGE, width)
     drawings = opened.page.evaluate(SIZES_OF_DRAWINGS)
