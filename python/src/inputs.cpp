@@ -144,6 +144,9 @@ Raises:
       .def(nb::init<const std::vector<std::string>&>(), nb::arg("arguments"))
       .def("odometry", &Inputs::MakeOdometry, "Makes an odometry for the images.")
       .def_prop_ro("camera", &Inputs::camera, "The given camera of the images.")
+      .def_prop_ro(
+          "truth_file", [](const Inputs& inputs) { return inputs.truth().file.string(); },
+          "The file of the ground truth, or an empty text.")
       .def(
           "write_truth",
           [](const Inputs& inputs, const std::filesystem::path& file) {

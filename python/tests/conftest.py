@@ -91,7 +91,7 @@ def data() -> Path:
     pytest.skip("CORVO_DATA names no folder of real images")
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> "Iterator[Browser]":
     """Tests are skipped without a browser, or fail if CI is set."""
     chromium = shutil.which("chromium")
