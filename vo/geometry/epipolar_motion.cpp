@@ -87,4 +87,14 @@ Minimum<EpipolarMotion> FitEpipolarMotion(const std::vector<RayMatch>& matches,
   return MinimizeLevenbergMarquardt<5>(start, build, Plus, kMaxIterations);
 }
 
+std::vector<Minimum<EpipolarMotion>> FitEpipolarMotionsAlongAxes(
+    const std::vector<RayMatch>& matches, const SO3& second_from_first, double rotation_sigma) {
+  std::vector<Minimum<EpipolarMotion>> fits;
+  for (int axis = 0; axis < 3; ++axis) {
+    const EpipolarMotion start{second_from_first, Eigen::Vector3d::Unit(axis)};
+    fits.push_back(FitEpipolarMotion(matches, start, rotation_sigma));
+  }
+  return fits;
+}
+
 }  // namespace corvo

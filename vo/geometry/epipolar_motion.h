@@ -27,4 +27,9 @@ Minimum<EpipolarMotion> FitEpipolarMotion(
     const std::vector<RayMatch>& matches, const EpipolarMotion& start,
     double rotation_sigma = std::numeric_limits<double>::infinity());
 
+/// Returns what FitEpipolarMotion() reaches from a rotation with a baseline along each axis.
+std::vector<Minimum<EpipolarMotion>> FitEpipolarMotionsAlongAxes(
+    const std::vector<RayMatch>& matches, const SO3& second_from_first,
+    double rotation_sigma = std::numeric_limits<double>::infinity());
+
 }  // namespace corvo

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -63,13 +62,9 @@ SO3 RefineRotation(const std::vector<RayMatch>& matches, const SO3& second_from_
                    double common_parallax) {
   const double sigma =
       std::max(common_parallax * Median(ComputeParallax(matches, second_from_first)), 1e-9);
-  Minimum<EpipolarMotion> best{{second_from_first, {}}, std::numeric_limits<double>::infinity()};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Minimum<EpipolarMotion> fit =
-        FitEpipolarMotion(matches, {second_from_first, Eigen::Vector3d::Unit(axis)}, sigma);
-    if (fit.cost < best.cost) best = fit;
-  }
-  return best.state.second_from_first;
+  const auto fits = FitEpipolarMotionsAlongAxes(matches, second_from_first, sigma);
+  const auto best = std::ranges::min_element(fits, {}, &Minimum<EpipolarMotion>::cost);
+  return best->state.second_from_first;
 }
 
 }  // namespace corvo

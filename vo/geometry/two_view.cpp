@@ -74,31 +74,22 @@ std::optional<Eigen::Matrix3d> SampleEssential(const std::vector<RayMatch>& matc
                                       MakeUsacParams(threshold)));
 }
 
-/// Returns the essential matrices of the least Sampson errors that are reached from a motion along
-/// each axis.
-std::vector<Eigen::Matrix3d> FitEssentials(const std::vector<RayMatch>& matches) {
-  std::vector<Eigen::Matrix3d> fits;
-  const SO3 rotation = EstimateRotation(matches);
-  for (int axis = 0; axis < 3; ++axis) {
-    const EpipolarMotion fit =
-        FitEpipolarMotion(matches, {rotation, Eigen::Vector3d::Unit(axis)}).state;
-    fits.push_back(EssentialMatrix(SE3(fit.second_from_first, fit.baseline)));
-  }
-  return fits;
-}
-
 /// Returns the sampled essential matrix or a fitted one that explains clearly more. A sample may
 /// have most matches as inliers and still another motion: where the parallax is small, a rotation
-/// looks like a motion to the side.
-std::optional<Eigen::Matrix3d> FindEssential(const std::vector<RayMatch>& matches) {
+/// looks like a motion to the side. So motions along each axis are fitted, too, from the `rotation`
+/// that explains the matches best.
+std::optional<Eigen::Matrix3d> FindEssential(const std::vector<RayMatch>& matches,
+                                             const SO3& rotation) {
   constexpr double kClearlyMore = 1.03;
   std::optional<Eigen::Matrix3d> best = SampleEssential(matches);
   double best_score = best ? kClearlyMore * ScoreEssential(*best, matches).score : 0;
-  for (const Eigen::Matrix3d& fit : FitEssentials(matches)) {
-    const double score = ScoreEssential(fit, matches).score;
+  for (const auto& fit : FitEpipolarMotionsAlongAxes(matches, rotation)) {
+    const Eigen::Matrix3d essential =
+        EssentialMatrix(SE3(fit.state.second_from_first, fit.state.baseline));
+    const double score = ScoreEssential(essential, matches).score;
     if (score <= best_score) continue;
     best_score = score;
-    best = fit;
+    best = essential;
   }
   return best;
 }
@@ -207,6 +198,22 @@ bool CheckPlane(const Eigen::Matrix3d& homography, const ModelScore& essential_s
   return true;
 }
 
+/// Checks whether the rotation that explains the matches best is all of the motion.
+TwoViewResult CheckPureRotation(const std::vector<RayMatch>& matches, const SO3& second_from_first,
+                                const InitializerOptions& options) {
+  TwoViewResult result;
+  const double parallax = Median(ComputeParallax(matches, second_from_first));
+  result.parallax_deg = parallax * 180 / std::numbers::pi;
+  const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
+  const bool is_enough = static_cast<int>(matches.size()) >= options.min_rotation_matches;
+  if (!is_enough || parallax >= max_parallax) return result;
+  result.first_from_second_rotation = second_from_first.Inverse();
+  const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
+  const bool turned = second_from_first.Angle() > min_turn;
+  result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
+  return result;
+}
+
 }  // namespace
 
 ModelScore ScoreEssential(const Eigen::Matrix3d& essential, const std::vector<RayMatch>& matches) {
@@ -237,29 +244,19 @@ ModelScore ScoreHomography(const Eigen::Matrix3d& homography,
 
 TwoViewResult CheckPureRotation(const std::vector<RayMatch>& matches,
                                 const InitializerOptions& options) {
-  TwoViewResult result;
-  const SO3 second_from_first = EstimateRotation(matches);
-  const double parallax = Median(ComputeParallax(matches, second_from_first));
-  result.parallax_deg = parallax * 180 / std::numbers::pi;
-  const double max_parallax = options.min_parallax_sigmas * MedianSigma(matches);
-  const bool is_enough = static_cast<int>(matches.size()) >= options.min_rotation_matches;
-  if (!is_enough || parallax >= max_parallax) return result;
-  result.first_from_second_rotation = second_from_first.Inverse();
-  const double min_turn = options.min_parallax_deg * std::numbers::pi / 180;
-  const bool turned = second_from_first.Angle() > min_turn;
-  result.reason = turned ? Reason::kRotationOnly : Reason::kLowParallax;
-  return result;
+  return CheckPureRotation(matches, EstimateRotation(matches), options);
 }
 
 TwoViewResult EstimateTwoViewMotion(const std::vector<RayMatch>& matches,
                                     const InitializerOptions& options) {
-  TwoViewResult result = CheckPureRotation(matches, options);
+  const SO3 rotation = EstimateRotation(matches);
+  TwoViewResult result = CheckPureRotation(matches, rotation, options);
   if (result.first_from_second_rotation) return result;
   if (static_cast<int>(matches.size()) < options.min_matches) {
     result.reason = Reason::kTooFewMatches;
     return result;
   }
-  const auto essential = FindEssential(matches);
+  const auto essential = FindEssential(matches, rotation);
   const auto homography = FindHomography(matches);
   if (!essential) {
     result.reason = Reason::kAmbiguousMotion;
