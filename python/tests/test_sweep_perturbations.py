@@ -12,8 +12,8 @@ import sweep_support  # noqa: F401  Skips without corvo[sweep].
 from conftest import Sequence as Room
 from PIL import Image
 
+from corvo.quaternion import quaternion
 from corvo.sweep.degradation import degrade
-from corvo.sweep.measures import quaternion
 from corvo.sweep.perturbation import Perturbation
 from corvo.sweep.sequence import Frame, Sequence
 

@@ -14,7 +14,7 @@ INTRODUCTION = """\
 # Options
 
 `scripts/site/make_options_page.py` writes this page from what the command itself says: `corvo COMMAND --help` and `corvo config`. Ranges are in brackets.
-The commands of the [Python package](python.md) alone, `corvo view` and `corvo report`, have pages of their own.
+The commands of the [Python package](python.md) alone, `corvo view`, `corvo report` and `corvo sweep`, have pages of their own.
 """
 CONFIG = """\
 ## The options file

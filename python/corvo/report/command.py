@@ -2,9 +2,9 @@
 """The command `corvo report`."""
 
 import argparse
-from typing import NoReturn
 
 from corvo import _corvo
+from corvo.command_parser import CommandParser
 from corvo.commands import report
 from corvo.report.writer import write_report
 
@@ -22,11 +22,6 @@ Examples:
   corvo report result/mh_01 --gt MH_01_easy -o report.html      # with another ground truth"""
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise _corvo.Error(message)
-
-
 def main(arguments: list[str]) -> int:
     """Executes the command and returns its exit code."""
     _corvo._set_up_logging()
@@ -39,13 +34,11 @@ def main(arguments: list[str]) -> int:
 
 
 def _make_parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = CommandParser(
         prog="corvo report",
         usage="corvo report RESULT... [--gt FILE] -o report.html [--force]",
         description=_DESCRIPTION,
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
     )
     parser.add_argument("results", metavar="RESULT", nargs="+", help="the folder of a result")
     parser.add_argument(

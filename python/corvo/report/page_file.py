@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The file of a page: it appears as a whole, and replaces only pages of corvo report."""
 
-import os
 import re
 import zlib
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from corvo._corvo import Error
+from corvo.files import write_whole
 
 _SEAL = re.compile(rb"<!-- corvo report, CRC-32 ([0-9a-f]{8}) -->\n\Z")
 
@@ -29,13 +28,7 @@ def write_page(file: Path, html: str) -> None:
     seal = f"<!-- corvo report, CRC-32 {zlib.crc32(content):08x} -->\n".encode()
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
-        with TemporaryDirectory(prefix=".corvo_report_", dir=file.parent) as folder:
-            written = Path(folder) / "page.html"
-            with open(written, "xb") as stream:
-                stream.write(content + seal)
-                stream.flush()
-                os.fsync(stream.fileno())
-            written.replace(file)
+        write_whole(file, content + seal)
     except OSError as error:
         raise Error(f"{file}: cannot be written ({error.strerror})") from None
 

@@ -5,9 +5,9 @@ import argparse
 import sys
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NoReturn
 
 from corvo import _corvo
+from corvo.command_parser import CommandParser
 from corvo.commands import report
 from corvo.sweep.journal import Journal
 from corvo.sweep.plan import read_plan
@@ -32,11 +32,6 @@ _PACKAGES = ("duckdb", "fsspec", "PIL", "plotly", "pyarrow", "ray")
 
 _WORSE = 2
 _FAILED = 3
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise _corvo.Error(message)
 
 
 def main(arguments: list[str]) -> int:
@@ -81,13 +76,11 @@ def _sweep(given: argparse.Namespace) -> int:
 
 
 def _make_parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = CommandParser(
         prog="corvo sweep",
         usage="corvo sweep PLAN.yaml -o DIR [OPTIONS]",
         description=_DESCRIPTION,
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
     )
     parser.add_argument("plan", metavar="PLAN.yaml", type=Path, help="what is run")
     parser.add_argument(

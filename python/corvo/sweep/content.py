@@ -9,8 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from corvo._corvo import Error, Inputs
+from corvo.files import write_whole
 from corvo.sweep.downloads import is_url, state_of
-from corvo.sweep.files import write_whole
 from corvo.sweep.inputs import Input, run_arguments
 
 _CAMERA = ("camera", "focal", "fov")

@@ -7,10 +7,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from corvo.files import write_whole
 from corvo.sweep.child import Outcome
 from corvo.sweep.cluster import connect, run_on_cluster
 from corvo.sweep.content import ContentHashes
-from corvo.sweep.files import PAGE, ROWS, RUNS, write_whole
+from corvo.sweep.files import PAGE, ROWS, RUNS
 from corvo.sweep.journal import Journal
 from corvo.sweep.plan import Plan
 from corvo.sweep.tasks import Task, build_of_corvo, make_tasks

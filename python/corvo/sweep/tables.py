@@ -9,8 +9,8 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from corvo.files import write_whole
 from corvo.sweep.child import Outcome
-from corvo.sweep.files import write_whole
 from corvo.sweep.tasks import Task
 
 _INTEGERS = ("frames", "segments", "losses")

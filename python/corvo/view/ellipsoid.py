@@ -5,6 +5,7 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
+from corvo.quaternion import quaternion
 from corvo.view import colors
 
 SIGMAS_95 = 2.8
@@ -27,17 +28,6 @@ def make_ellipsoid(
     return rr.Ellipsoids3D(
         centers=[world_from_camera[:3, 3]],
         half_sizes=[SIGMAS_95 * np.sqrt(np.maximum(variances, 0))],
-        quaternions=[_quaternion(world_from_camera[:3, :3] @ axes)],
+        quaternions=[quaternion(world_from_camera[:3, :3] @ axes)],
         colors=[colors.UNCERTAINTY],
     )
-
-
-def _quaternion(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Returns the quaternion (x, y, z, w) of a rotation matrix: the eigenvector of Bar-Itzhack, "New
-    method for extracting the quaternion from a rotation matrix", 2000."""
-    symmetric = rotation + rotation.T - np.trace(rotation) * np.eye(3)
-    antisymmetric = rotation - rotation.T
-    vector = np.array([antisymmetric[2, 1], antisymmetric[0, 2], antisymmetric[1, 0]])
-    matrix = np.block([[symmetric, vector[:, None]], [vector[None, :], np.trace(rotation)]])
-    quaternion: NDArray[np.float64] = np.linalg.eigh(matrix)[1][:, -1]
-    return quaternion
