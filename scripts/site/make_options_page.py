@@ -82,7 +82,10 @@ def readable(name: str) -> str:
     name = re.sub(r"\b(?:FLOAT|INT):(FLOAT|INT) in ", r"\1 in ", name)
     name = re.sub(r"(?:\bFLOAT|\bINT|:FLOAT) in \[(.*?) - (.*?)\]", r" [\1 to \2]", name).replace("  ", " ")
     name = name.replace("|", "/")
-    name = re.sub(r" Excludes: (.*)", lambda match: ", not with " + match[1].replace(" ", ", "), name)
+    # The command names what an option excludes in any order.
+    name = re.sub(
+        r" Excludes: (.*)", lambda match: ", not with " + ", ".join(sorted(match[1].split())), name
+    )
     return re.sub(r"(?<=[\]\w])=(\S+)", r", default \1", name).replace(" REQUIRED", ", required")
 
 
