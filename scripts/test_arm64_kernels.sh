@@ -8,8 +8,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# Compiles a file. The warnings of GoogleTest's own files are not ours.
 compile() {
-  aarch64-linux-gnu-g++ -std=c++20 -O3 -ffp-contract=off -Wall -Wextra -Werror \
+  local warnings=(-Wall -Wextra -Werror)
+  [[ $1 != /* ]] || warnings=(-w)
+  aarch64-linux-gnu-g++ -std=c++20 -O3 -ffp-contract=off "${warnings[@]}" \
     -I . -I "$work/root/usr/include" -I /usr/src/googletest/googletest \
     -I /usr/src/googletest/googletest/include \
     -I /usr/src/googletest/googlemock -I /usr/src/googletest/googlemock/include \
