@@ -16,9 +16,8 @@ host_packages=(cmake crossbuild-essential-arm64 dpkg-dev file ninja-build qemu-u
 arm64_packages=(libopencv-dev libceres-dev libtbb-dev libhwy-dev libyaml-cpp-dev libfmt-dev
   libspdlog-dev libgtest-dev libgmock-dev)
 
-# Two tests of vo/ that fail on ARM64 (docs/packages.md).
+# A test of vo/ that fails on ARM64 (docs/packages.md).
 left_out=OdometryTest.OnALongDriveMarginalizationBoundsMemoryAndKeepsTheTrajectory
-left_out+=:FindTimeOffset.SuspectsNothingOnAStraightPath
 
 usage() { sed -n '3,11s/^# \{0,1\}//p' "$0"; }
 

@@ -18,6 +18,7 @@ constexpr int kMaxCoarseSteps = 2000;  ///< Number of offsets of the coarse sear
 constexpr double kMinOverlap = 0.8;    ///< Share of the shorter trajectory.
 constexpr double kMaxErrorRatio = 0.5;
 constexpr double kMaxErrorShare = 0.1;      ///< Of the extent of the ground truth.
+constexpr double kRoundingShare = 1e-9;     ///< Of the same; smaller errors are those of rounding.
 constexpr double kMaxAmbiguousShare = 0.2;  ///< Of the offsets that fit as well as the best.
 constexpr TimeNs kMaxOffsetOfOverlap = 5'000'000'000;
 constexpr double kNoMatch = std::numeric_limits<double>::infinity();
@@ -45,6 +46,18 @@ std::optional<Eigen::Vector3d> PositionAt(const PoseSequence& poses, TimeNs time
          share * later->world_from_camera.translation();
 }
 
+/// Returns the root mean square distance of the ground truth's positions from their mean.
+double ExtentOf(const std::vector<PosePair>& pairs) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const PosePair& pair : pairs) mean += pair.truth_from_camera.translation();
+  mean /= static_cast<double>(std::max<std::size_t>(1, pairs.size()));
+  double sum = 0;
+  for (const PosePair& pair : pairs) {
+    sum += (pair.truth_from_camera.translation() - mean).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, pairs.size())));
+}
+
 /// The errors of an estimate's poses with the ground truth at shifted times.
 class OffsetErrors {
  public:
@@ -66,13 +79,14 @@ class OffsetErrors {
     return pairs;
   }
 
-  /// Returns the ATE, or infinity if there are too few pairs.
+  /// Returns the ATE, but at least what rounding may cause, or infinity if there are too few pairs.
   double Of(const std::vector<TimeNs>& offsets) const {
     const std::vector<PosePair> pairs = Pairs(offsets);
     if (static_cast<double>(pairs.size()) < NumNeeded()) return kNoMatch;
     try {
       const Sim3 aligned = Align(pairs, Alignment::kSim3);
-      return Summarize(PositionErrors(MoveEstimates(aligned, pairs))).rmse;
+      const double rmse = Summarize(PositionErrors(MoveEstimates(aligned, pairs))).rmse;
+      return std::max(rmse, kRoundingShare * ExtentOf(pairs));
     } catch (const Error&) {  // All positions are equal.
       return kNoMatch;
     }
@@ -90,18 +104,6 @@ class OffsetErrors {
   PoseSequence estimate_;
   const PoseSequence& truth_;
 };
-
-/// Returns the root mean square distance of the ground truth's positions from their mean.
-double ExtentOf(const std::vector<PosePair>& pairs) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const PosePair& pair : pairs) mean += pair.truth_from_camera.translation();
-  mean /= static_cast<double>(std::max<std::size_t>(1, pairs.size()));
-  double sum = 0;
-  for (const PosePair& pair : pairs) {
-    sum += (pair.truth_from_camera.translation() - mean).squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, pairs.size())));
-}
 
 /// An offset and the errors of those that were tried.
 struct CoarseSearch {
