@@ -9,6 +9,7 @@
 #include "apps/run/run_results.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo {
 namespace {
@@ -58,6 +59,7 @@ Trajectory TrackRoom(RunInputs inputs, const std::function<void(const Odometry&)
 }
 
 TEST(Checkpoint, DoesNotAffectTheResult) {
+  CORVO_SKIP_IF_SHORT();
   TempFolder folder;
   const auto room =
       test::RunCorvo({"synth", "room", "-o", folder / "room", "--frames", "60", "--width", "320"});

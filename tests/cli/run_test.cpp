@@ -257,6 +257,7 @@ TEST_F(Run, StatedFocalLengthOrFieldOfViewReplacesTheCameraFile) {
 
 /// The room was rendered with a focal length of 262.5 px.
 TEST_F(Run, StatedFocalLengthIsRefinedUnlessItIsFixed) {
+  CORVO_SKIP_IF_SHORT();
   RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100", "--width", "320"});
   const auto estimate = [&](const std::string& calibration) {
     RunCorvo({"run", folder_ / "room", "--gt", "none", "--focal", "275", "--calibration",

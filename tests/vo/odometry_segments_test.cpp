@@ -99,6 +99,7 @@ TEST(OdometrySegmentsTest, AJoinedRunIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(OdometrySegmentsTest, AJoinedRunIsRefinedAsOneSegment) {
+  CORVO_SKIP_IF_SHORT();
   Odometry odometry(test::PinholeCamera());
   ObservationLog log;
   odometry.SetObservationCallback(log.Callback());
