@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "tests/system/sequence_runner.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
+#include "vo/odometry.h"
 #include "vo/offline/self_calibration.h"
 
 namespace corvo {
@@ -247,14 +249,68 @@ TEST(RealFindCameraTest, TheCameraIsAccurateWhereTheSearchIsNot) {
   EXPECT_TRUE(straight.free.empty());
 }
 
-/// The last pass over images of an almost pure rotation, with an estimated camera, poses fewer
-/// frames than the first.
+/// The last pass over images of an almost pure rotation, with an estimated camera and windows of 10
+/// keyframes, poses fewer frames than the first.
 TEST(RealFindCameraTest, ACameraWithWhichFewerImagesArePosedIsDropped) {
   CORVO_SKIP_IF_SHORT();
   CORVO_REQUIRE_DATA("tum/rgbd_dataset_freiburg1_rpy");
-  const CameraStart start = FindCamera(OpenFolder("tum/rgbd_dataset_freiburg1_rpy"), {}).value();
+  SelfCalibrationOptions options;
+  options.odometry.bundle_adjuster.max_keyframes = 10;
+  const CameraStart start =
+      FindCamera(OpenFolder("tum/rgbd_dataset_freiburg1_rpy"), options).value();
   EXPECT_EQ(start.prior.given, start.search.camera);
   EXPECT_TRUE(start.prior.free.empty());
+}
+
+/// What people record: no calibration is known.
+class RecordingTest : public ::testing::Test {
+ protected:
+  /// Runs over a recording with the camera that FindCamera() returns for it.
+  void Run(const std::string& recording) {
+    const StreamOpener open = OpenFolder(recording);
+    Odometry odometry(FindCamera(open, {}).value().prior, OdometryOptions());
+    const std::unique_ptr<ImageStream> stream = open();
+    while (const std::optional<StreamImage> next = stream->Next()) {
+      odometry.Process(next->image, next->time_ns);
+    }
+    odometry.Finish();
+    focal_length_ = odometry.camera().fx();
+    trajectory_ = odometry.GetTrajectory();
+  }
+
+  double focal_length_ = 0;
+  Trajectory trajectory_;
+};
+
+/// Vehicles beside the camera keep their place in the image or recede.
+TEST_F(RecordingTest, OfAMotorwayFromADashboardIsTracked) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("recordings/dashcam_motorway.mp4");
+  Run("recordings/dashcam_motorway.mp4");
+  EXPECT_EQ(trajectory_.PosedShare(), 1);
+  EXPECT_EQ(trajectory_.Segments().size(), 1u);
+  EXPECT_GT(focal_length_, 830);
+  EXPECT_LT(focal_length_, 1100);
+}
+
+/// The reference is COLMAP's, with a focal length of 622 px.
+TEST_F(RecordingTest, OfADarkRoomFromAPhoneIsTrackedAccurately) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("recordings/phone_monitor");
+  Run("recordings/phone_monitor");
+  EXPECT_EQ(trajectory_.PosedShare(), 1);
+  EXPECT_NEAR(focal_length_ / 622, 1, 0.03);
+  const PoseSequence reference = ReadTum(test::DataPath("recordings/phone_monitor/reference.tum"));
+  const Evaluation evaluation = test::EvaluatePosed(trajectory_, reference);
+  EXPECT_LT(evaluation.absolute.rmse, 0.004 * evaluation.truth_path_length);
+}
+
+TEST_F(RecordingTest, WithMotionBlurIsOneSegment) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("recordings/phone_close_blur");
+  Run("recordings/phone_close_blur");
+  EXPECT_GE(trajectory_.PosedShare(), 0.95);
+  EXPECT_EQ(trajectory_.Segments().size(), 1u);
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ struct InitializerOptions {
     field("max_second_motion_share", self.max_second_motion_share, 0.0, 1.0,
           "points in front under the second best motion, as a share of those under the best");
     field("min_share_in_front", self.min_share_in_front, 0.0, 1.0,
-          "inliers that must be triangulated in front of both views");
+          "share of the inliers, points that may be at infinity apart, that must be in front of "
+          "both views");
     field("min_rotation_matches", self.min_rotation_matches, 3, 100000,
           "least number of matches to tell a rotation");
     field("rotation_search_radius_px", self.rotation_search_radius_px, 1.0, 500.0,
@@ -339,7 +340,7 @@ struct CullingOptions {
 
 /// Options of windowed bundle adjustment.
 struct BundleAdjusterOptions {
-  int max_keyframes = 10;         // ablation
+  int max_keyframes = 20;         // ablation
   int max_iterations = 4;         // ablation
   int min_shared_landmarks = 15;  // ablation
   int points_per_keyframe = 100;  // ablation

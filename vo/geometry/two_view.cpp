@@ -126,23 +126,47 @@ bool ReprojectsWithin(const Eigen::Vector3d& in_view, const Eigen::Vector2d& ray
   return (in_view.hnormalized() - ray).squaredNorm() <= kChiSquare2Dof95 * sigma * sigma;
 }
 
-/// Triangulates the inliers under one motion and keeps the points that lie in front of both views
-/// and have a low reprojection error.
-std::vector<TwoViewPoint> TriangulateInFront(const std::vector<RayMatch>& matches,
-                                             const std::vector<char>& is_inlier,
-                                             const SE3& second_from_first) {
-  std::vector<TwoViewPoint> points;
+/// Returns whether the rays of a match agree, once turned, within their uncertainty: whether its
+/// point may be at infinity, so that noise decides on which side of the views it is triangulated.
+bool MayBeAtInfinity(const RayMatch& match, const SO3& second_from_first) {
+  const Eigen::Vector2d turned = (second_from_first * match.first.homogeneous()).hnormalized();
+  const double variance = 2 * match.sigma * match.sigma;
+  return (turned - match.second).squaredNorm() <= kChiSquare2Dof95 * variance;
+}
+
+/// What the inliers of one motion are triangulated to.
+struct TriangulatedInliers {
+  std::vector<TwoViewPoint> points;  ///< In front of both views, with a low reprojection error.
+  int num_finite_points = 0;         ///< Those that cannot be at infinity.
+  int num_finite = 0;                ///< Inliers that cannot be at infinity.
+};
+
+/// Returns the share of the inliers that are in front of both views; of those that cannot be at
+/// infinity, if there are at least `min_finite`.
+double ShareInFront(const TriangulatedInliers& inliers, int num_inliers, int min_finite) {
+  if (inliers.num_finite >= min_finite) return 1.0 * inliers.num_finite_points / inliers.num_finite;
+  return static_cast<double>(inliers.points.size()) / std::max(1, num_inliers);
+}
+
+TriangulatedInliers TriangulateInliers(const std::vector<RayMatch>& matches,
+                                       const std::vector<char>& is_inlier,
+                                       const SE3& second_from_first) {
+  TriangulatedInliers result;
   const SE3 first_from_second = second_from_first.Inverse();
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!is_inlier[i]) continue;
     const RayMatch& match = matches[i];
+    const bool is_finite = !MayBeAtInfinity(match, second_from_first.rotation());
+    result.num_finite += is_finite;
     const auto in_first = Triangulate({SE3(), match.first}, {first_from_second, match.second});
-    if (!in_first || !ReprojectsWithin(*in_first, match.first, match.sigma)) continue;
-    if (!ReprojectsWithin(second_from_first * *in_first, match.second, match.sigma)) continue;
-    points.push_back(
-        {static_cast<int>(i), *in_first, ParallaxAngle(*in_first, SE3(), first_from_second)});
+    if (in_first && ReprojectsWithin(*in_first, match.first, match.sigma) &&
+        ReprojectsWithin(second_from_first * *in_first, match.second, match.sigma)) {
+      const double parallax = ParallaxAngle(*in_first, SE3(), first_from_second);
+      result.points.push_back({static_cast<int>(i), *in_first, parallax});
+      result.num_finite_points += is_finite;
+    }
   }
-  return points;
+  return result;
 }
 
 /// Returns the parallax that `min_points` points reach, radians. There must be as many.
@@ -159,21 +183,23 @@ void SelectMotion(const std::vector<SE3>& second_from_first, const ModelScore& s
                   const std::vector<RayMatch>& matches, const InitializerOptions& options,
                   TwoViewResult& result) {
   std::size_t second_best = 0;
+  double share_in_front = 0;
   for (const SE3& motion : second_from_first) {
-    std::vector<TwoViewPoint> points = TriangulateInFront(matches, score.is_inlier, motion);
-    if (points.size() > result.points.size()) {
+    TriangulatedInliers inliers = TriangulateInliers(matches, score.is_inlier, motion);
+    if (inliers.points.size() > result.points.size()) {
       second_best = result.points.size();
-      result.points = std::move(points);
+      share_in_front = ShareInFront(inliers, score.num_inliers, options.min_matches);
+      result.points = std::move(inliers.points);
       result.first_from_second = motion.Inverse();
     } else {
-      second_best = std::max(second_best, points.size());
+      second_best = std::max(second_best, inliers.points.size());
     }
   }
   const double num_points = static_cast<double>(result.points.size());
   const bool is_unique =
       static_cast<double>(second_best) < options.max_second_motion_share * num_points;
-  const bool is_enough = num_points >= options.min_points &&
-                         num_points >= options.min_share_in_front * score.num_inliers;
+  const bool is_enough =
+      num_points >= options.min_points && share_in_front >= options.min_share_in_front;
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
   if (!is_unique) {
     result.reason = Reason::kAmbiguousMotion;

@@ -2,6 +2,7 @@
 #include "vo/mapping/keyframe_edges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "vo/map/landmark_covariance.h"
 
@@ -10,6 +11,9 @@ namespace {
 
 constexpr int kMinShared = 15;    // Landmarks that two covisible keyframes share.
 constexpr int kMaxCovisible = 3;  // Edges of a keyframe beside that to the one before it.
+// The variance of the scale over many edges, relative to the sum of their variances: landmarks that
+// several edges share hand their errors on. Measured over 10 edges: docs/uncertainty.md.
+constexpr double kScaleCorrelation = 2;
 
 /// Returns the earlier keyframes that a keyframe gets edges to, the one before it first.
 std::vector<KeyframeId> EarlierNeighbors(const Map& map, KeyframeId keyframe) {
@@ -52,7 +56,8 @@ void KeyframeEdges::AddKeyframe(const Map& map, const PoseUncertainty& uncertain
     Edge& edge = edges_[{newest, earlier}];
     edge.segment = map.SegmentOf(newest);
     edge.covariance.topLeftCorner<6, 6>() = uncertainty.Between(map, earlier, newest, camera);
-    edge.covariance(6, 6) = uncertainty.factor() * LogScaleVariance(map, earlier, newest);
+    edge.covariance(6, 6) =
+        kScaleCorrelation * uncertainty.factor() * LogScaleVariance(map, earlier, newest);
   }
 }
 
@@ -62,9 +67,10 @@ KeyframeEdges::Edge KeyframeEdges::Renewed(const Edge& before,
   PoseGraphEdge::Matrix7X by_innovations = innovations.ByInnovations(first, second);
   if (!innovations.KnowsScale(second)) by_innovations.row(6).setZero();
   Edge edge = before;
+  edge.by_camera = innovations.ByCamera(by_innovations);
+  by_innovations.row(6) *= std::sqrt(kScaleCorrelation);
   edge.covariance = factor * by_innovations * by_innovations.transpose();
   if (!innovations.KnowsScale(second)) edge.covariance(6, 6) = before.covariance(6, 6);
-  edge.by_camera = innovations.ByCamera(by_innovations);
   return edge;
 }
 

@@ -199,6 +199,7 @@ class CameraFinder {
       if (progress_.is_canceled() || pass.num_posed == 0) return Verified(start_.prior);
       if (best_ && pass.IsWorseThan(*best_)) return Verified(Fallback());
       const CameraPrior adjusted = Adjust(odometry.map());
+      if (round > 1 && !adjusted.free.empty()) lenses_.push_back(adjusted.given);
       const double change = std::abs(std::log(adjusted.given.fx / fixed.given.fx));
       const bool converges =
           change <= options_.max_lens_sigma || change <= options_.max_change_ratio * last_change;
@@ -243,11 +244,33 @@ class CameraFinder {
     return {{"focal", options_.run_focal_sigma}, {"k1", given.k1_sigma}, {"k2", given.k2_sigma}};
   }
 
-  /// Returns the prior for a run if the adjustments do not converge: the camera of the search, or
-  /// the last camera that was tracked if the search does not determine it.
+  /// Returns the prior for a run if the adjustments do not converge: their mean, if they scatter
+  /// less than the search is uncertain, or else the camera of the search, or the last camera that
+  /// was tracked if the search does not determine it.
   CameraPrior Fallback() const {
+    const CameraPrior mean = MeanLens();
+    if (!mean.free.empty() && mean.free.front().sigma < start_.prior.free.front().sigma) {
+      return mean;
+    }
     if (!start_.search.is_determined) return {best_->camera, {}};
     return {start_.prior.given, WithoutCenter(start_.prior.free)};
+  }
+
+  /// Returns the mean of the adjusted cameras as a prior whose focal length is as uncertain as they
+  /// scatter; without free parameters if there are fewer than two.
+  CameraPrior MeanLens() const {
+    const auto num = static_cast<Eigen::Index>(lenses_.size());
+    if (num < 2) return {};
+    Eigen::MatrixXd differences(start_.prior.num_free(), num);
+    for (Eigen::Index i = 0; i < num; ++i) {
+      differences.col(i) = start_.prior.Difference(lenses_[i]);
+    }
+    const Eigen::VectorXd mean = differences.rowwise().mean();
+    const double squares = (differences.row(0).array() - mean[0]).square().sum();
+    CameraPrior prior{start_.prior.Apply(mean), RunParameters()};
+    double& focal_sigma = prior.free.front().sigma;
+    focal_sigma = std::max(focal_sigma, std::sqrt(squares / static_cast<double>(num - 1)));
+    return prior;
   }
 
   /// Returns a prior if a pass with it is not worse than the passes with a fixed camera, and
@@ -268,6 +291,7 @@ class CameraFinder {
   std::optional<Pass> first_;
   std::optional<Pass> best_;
   int num_passes_ = 0;
+  std::vector<CameraParameters> lenses_;  // Adjusted with their distortion, not to the first map.
 };
 
 /// A calibration of one camera in progress.

@@ -48,7 +48,7 @@ struct SelfCalibrationOptions {
   double center_sigma_share = 0.01;  // docs/calibration.md
   double max_lens_sigma = 0.03;      // docs/calibration.md
   double max_change_ratio = 0.5;     // docs/calibration.md
-  double run_focal_sigma = 0.02;     // docs/calibration.md
+  double run_focal_sigma = 0.03;     // docs/calibration.md
 
   template <typename Self, typename Visitor>
   static void VisitAdvanced(Self& self, Visitor&& field) {
@@ -115,9 +115,10 @@ std::optional<CameraStart> FindFocalLength(const std::vector<StreamOpener>& sequ
 /// Like FindFocalLength() for one sequence, but the prior is that of a run over it. Passes of the
 /// odometry over the first images with a fixed camera alternate with adjustments of that camera to
 /// their maps. Principal point and distortion are estimated only if the focal length remains
-/// determined. If the adjustments do not converge, the camera is that of the search. A last pass
-/// verifies the prior: if it poses fewer images than the passes with a fixed camera, has more
-/// segments or rejects the prior, the camera of those passes is returned without free parameters.
+/// determined. If the adjustments do not converge, the camera is their mean if they scatter less
+/// than the search is uncertain, and otherwise that of the search. A last pass verifies the prior:
+/// if it poses fewer images than the passes with a fixed camera, has more segments or rejects the
+/// prior, the camera of those passes is returned without free parameters.
 std::optional<CameraStart> FindCamera(const StreamOpener& sequence,
                                       const SelfCalibrationOptions& options,
                                       const CalibrationProgress& progress = {});

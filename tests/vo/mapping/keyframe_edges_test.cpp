@@ -61,7 +61,8 @@ TEST_F(KeyframeEdgesTest, TheCovarianceOfEachOfSeveralEdgesCountsAsOften) {
   EXPECT_THAT(Eigen::MatrixXd(graph.edges[3].covariance.topLeftCorner<6, 6>()),
               test::IsMatrixNear(4 * one, 1e-12));
   EXPECT_DOUBLE_EQ(graph.edges[3].covariance(6, 6),
-                   4 * uncertainty_.factor() * LogScaleVariance(map_, 3, kNumViews - 1));
+                   4 * 2 * uncertainty_.factor() * LogScaleVariance(map_, 3, kNumViews - 1))
+      << "twice, for the correlation of its errors between edges";
 }
 
 TEST_F(KeyframeEdgesTest, AreRenewedFromALaterWindow) {
