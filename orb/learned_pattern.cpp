@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "orb/learned_pattern.h"
 
+#include <array>
 #include <cstdint>
-#include <iterator>
 
 namespace corvo::orb {
 namespace {
 
-constexpr std::int8_t kCoordinates[] = {
+using Coordinates = std::array<std::int8_t, 4 * kNumTests>;
+
+constexpr Coordinates kLearned = {
 #include "orb/learned_pattern.inc"
 };
-static_assert(std::size(kCoordinates) == 4 * kNumTests);
+constexpr Coordinates kFree = {
+#include "orb/free_pattern.inc"
+};
 
-}  // namespace
-
-Pattern LearnedPattern() {
+Pattern PatternOf(const Coordinates& coordinates) {
   Pattern pattern;
-  const std::int8_t* next = kCoordinates;
+  const std::int8_t* next = coordinates.data();
   for (auto& [p, q] : pattern) {
     p = {next[0], next[1]};
     q = {next[2], next[3]};
@@ -24,5 +26,11 @@ Pattern LearnedPattern() {
   }
   return pattern;
 }
+
+}  // namespace
+
+Pattern LearnedPattern() { return PatternOf(kLearned); }
+
+Pattern FreePattern() { return PatternOf(kFree); }
 
 }  // namespace corvo::orb

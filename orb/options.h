@@ -58,7 +58,8 @@ struct ExtractorOptions {
     field("orientation_bins", self.orientation_bins, 1, 256, "directions of the rotated pattern");
     field("upright", self.upright, "do not rotate the pattern (BRIEF)");
     field("pattern", self.pattern,
-          "binary tests: learned (from photographs), brief (sampled), or a file of corvo learn");
+          "binary tests: learned or free (from photographs; free: that may be used for anything), "
+          "brief (sampled), or a file of corvo learn");
   }
 };
 

@@ -115,10 +115,12 @@ std::string PatternText(const Pattern& pattern) {
 
 Pattern LoadPattern(const std::string& name_or_file) {
   if (name_or_file == "learned") return LearnedPattern();
+  if (name_or_file == "free") return FreePattern();
   if (name_or_file == "brief") return MakeBriefPattern();
   std::error_code ignored;  // Of a name that no file can have: it is too long.
   if (!fs::exists(name_or_file, ignored)) {
-    throw Error("\"" + name_or_file + "\"; allowed is learned, brief or a file that is there");
+    throw Error("\"" + name_or_file +
+                "\"; allowed is learned, brief, free or a file that is there");
   }
   return ReadPattern(name_or_file);
 }

@@ -20,9 +20,9 @@ Pattern ReadPattern(const std::filesystem::path& file);
 /// Returns the text of a file that ReadPattern() reads back as an equal pattern.
 std::string PatternText(const Pattern& pattern);
 
-/// Returns the pattern named "learned" (LearnedPattern()) or "brief" (MakeBriefPattern()), or the
-/// pattern in the file with any other name. Throws corvo::Error under the conditions of
-/// ReadPattern().
+/// Returns the pattern named "learned" (LearnedPattern()), "free" (FreePattern()) or "brief"
+/// (MakeBriefPattern()), or the pattern in the file with any other name. Throws corvo::Error under
+/// the conditions of ReadPattern().
 Pattern LoadPattern(const std::string& name_or_file);
 
 }  // namespace corvo::orb

@@ -6,7 +6,7 @@
 #
 #   learn_pattern.sh [FILE]
 #
-#   FILE   the file to write; default orb/learned_pattern.inc
+#   FILE   the file to write; default orb/free_pattern.inc
 set -euo pipefail
 
 usage() { sed -n '3,9s/^# \{0,1\}//p' "$0"; }
@@ -15,7 +15,7 @@ case ${1:-} in
   -h | --help) usage; exit 0 ;;
 esac
 [ $# -le 1 ] || { usage >&2; exit 1; }
-file=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../orb/learned_pattern.inc}")
+file=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../orb/free_pattern.inc}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 photographs=build/release/photographs

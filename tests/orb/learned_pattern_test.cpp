@@ -27,11 +27,14 @@ Extractor WithPattern(const std::string& pattern) {
 
 TEST(LearnedPatternTest, EqualsTheFileWrittenByCorvoLearn) {
   EXPECT_EQ(ReadPattern(test::SourceDir() / "orb" / "learned_pattern.inc"), LearnedPattern());
+  EXPECT_EQ(ReadPattern(test::SourceDir() / "orb" / "free_pattern.inc"), LoadPattern("free"));
 }
 
 TEST(LearnedPatternTest, WindowsDoNotOverlap) {
-  for (const auto& [p, q] : LearnedPattern()) {
-    EXPECT_GE(std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)), 5);
+  for (const Pattern& pattern : {LearnedPattern(), FreePattern()}) {
+    for (const auto& [p, q] : pattern) {
+      EXPECT_GE(std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)), 5);
+    }
   }
 }
 
@@ -113,9 +116,13 @@ TEST(LearnedPatternTest, MatchesMoreThanTheSampledPattern) {
     CORVO_REQUIRE_DATA(folder);
     const std::string extension = name == "boat" ? ".pgm" : ".ppm";
     const int learned = CountCorrect(folder, extension, "learned");
+    const int free = CountCorrect(folder, extension, "free");
     const int sampled = CountCorrect(folder, extension, "brief");
-    RecordProperty(name, std::to_string(learned) + " of " + std::to_string(sampled));
+    RecordProperty(name, std::to_string(learned) + ", " + std::to_string(free) + " of " +
+                             std::to_string(sampled));
     EXPECT_GT(learned, sampled) << name;
+    EXPECT_GT(free, sampled) << name;
+    EXPECT_GT(free, 0.97 * learned) << name;
   }
 }
 
