@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "orb/learned_pattern.h"
 
-#include <array>
 #include <cstdint>
 
 namespace corvo::orb {
 namespace {
 
-using Coordinates = std::array<std::int8_t, 4 * kNumTests>;
-
-constexpr Coordinates kLearned = {
+constexpr std::int8_t kLearned[] = {
 #include "orb/learned_pattern.inc"
 };
-constexpr Coordinates kFree = {
+constexpr std::int8_t kFree[] = {
 #include "orb/free_pattern.inc"
 };
 
-Pattern PatternOf(const Coordinates& coordinates) {
+Pattern PatternOf(const std::int8_t (&coordinates)[4 * kNumTests]) {
   Pattern pattern;
-  const std::int8_t* next = coordinates.data();
+  const std::int8_t* next = coordinates;
   for (auto& [p, q] : pattern) {
     p = {next[0], next[1]};
     q = {next[2], next[3]};

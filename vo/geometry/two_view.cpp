@@ -159,12 +159,11 @@ TriangulatedInliers TriangulateInliers(const std::vector<RayMatch>& matches,
     const bool is_finite = !MayBeAtInfinity(match, second_from_first.rotation());
     result.num_finite += is_finite;
     const auto in_first = Triangulate({SE3(), match.first}, {first_from_second, match.second});
-    if (in_first && ReprojectsWithin(*in_first, match.first, match.sigma) &&
-        ReprojectsWithin(second_from_first * *in_first, match.second, match.sigma)) {
-      const double parallax = ParallaxAngle(*in_first, SE3(), first_from_second);
-      result.points.push_back({static_cast<int>(i), *in_first, parallax});
-      result.num_finite_points += is_finite;
-    }
+    if (!in_first || !ReprojectsWithin(*in_first, match.first, match.sigma)) continue;
+    if (!ReprojectsWithin(second_from_first * *in_first, match.second, match.sigma)) continue;
+    result.points.push_back(
+        {static_cast<int>(i), *in_first, ParallaxAngle(*in_first, SE3(), first_from_second)});
+    result.num_finite_points += is_finite;
   }
   return result;
 }

@@ -248,19 +248,17 @@ class CameraFinder {
   /// less than the search is uncertain, or else the camera of the search, or the last camera that
   /// was tracked if the search does not determine it.
   CameraPrior Fallback() const {
-    const CameraPrior mean = MeanLens();
-    if (!mean.free.empty() && mean.free.front().sigma < start_.prior.free.front().sigma) {
-      return mean;
-    }
+    const std::optional<CameraPrior> mean = MeanLens();
+    if (mean && mean->free.front().sigma < start_.prior.free.front().sigma) return *mean;
     if (!start_.search.is_determined) return {best_->camera, {}};
     return {start_.prior.given, WithoutCenter(start_.prior.free)};
   }
 
   /// Returns the mean of the adjusted cameras as a prior whose focal length is as uncertain as they
-  /// scatter; without free parameters if there are fewer than two.
-  CameraPrior MeanLens() const {
+  /// scatter, or std::nullopt if there are fewer than two.
+  std::optional<CameraPrior> MeanLens() const {
     const auto num = static_cast<Eigen::Index>(lenses_.size());
-    if (num < 2) return {};
+    if (num < 2) return std::nullopt;
     Eigen::MatrixXd differences(start_.prior.num_free(), num);
     for (Eigen::Index i = 0; i < num; ++i) {
       differences.col(i) = start_.prior.Difference(lenses_[i]);
