@@ -262,6 +262,30 @@ TEST(RealFindCameraTest, ACameraWithWhichFewerImagesArePosedIsDropped) {
   EXPECT_TRUE(start.prior.free.empty());
 }
 
+/// A rendered corridor, with its camera. For long stretches the image shows the joints of tiles
+/// alone, along which matches may slide.
+TEST(RealSequenceTest, TiledWallsKeepTheScaleFromAnyStart) {
+  CORVO_SKIP_IF_SHORT();
+  CORVO_REQUIRE_DATA("recordings/rendered_tiles");
+  const ImageList list = ListImages(test::DataPath("recordings/rendered_tiles/images"));
+  const Camera camera =
+      ReadCameraFile(test::DataPath("recordings/rendered_tiles/camera.yaml")).camera;
+  const PoseSequence truth = ReadTum(test::DataPath("recordings/rendered_tiles/groundtruth.tum"));
+  for (int start = 0; start <= 45; start += 15) {
+    SCOPED_TRACE(start);
+    const Trajectory trajectory = test::RunOdometry(
+        [&](int i) {
+          return test::TimedImage{ReadGrayImage(list.images[start + i].file),
+                                  TimeNs{100'000'000} * (start + i)};
+        },
+        static_cast<int>(list.images.size()) - start, camera);
+    EXPECT_EQ(trajectory.PosedShare(), 1);
+    EXPECT_EQ(trajectory.Segments().size(), 1u);
+    const Evaluation evaluation = test::EvaluatePosed(trajectory, truth);
+    EXPECT_LT(evaluation.absolute.rmse, 0.01 * evaluation.truth_path_length);
+  }
+}
+
 /// What people record: no calibration is known.
 class RecordingTest : public ::testing::Test {
  protected:

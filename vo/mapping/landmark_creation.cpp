@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "orb/edge_response.h"
 #include "vo/geometry/triangulation.h"
 #include "vo/map/landmark_alignment.h"
 #include "vo/mapping/epipolar_matching.h"
@@ -40,6 +41,29 @@ std::optional<Eigen::Vector3d> TriangulateViews(const View& a, const View& b,
   if (!in_world || !in_world->allFinite()) return std::nullopt;
   if (!FitsView(*in_world, a, model) || !FitsView(*in_world, b, model)) return std::nullopt;
   return in_world;
+}
+
+/// Returns whether a keypoint lies on a straight edge, along which its matches may slide. One whose
+/// patch has been dropped is not known to.
+bool IsOnEdge(const View& view) {
+  constexpr double kMinEigenvalueShare = 0.04;
+  const std::vector<orb::Patch>& patches = view.frame.patches;
+  return !patches.empty() && orb::EigenvalueShare(patches[view.keypoint]) < kMinEigenvalueShare;
+}
+
+/// Returns whether edges prevail in a frame. Elsewhere the corners outvote what slides along them.
+bool ShowsMostlyEdges(const Frame& frame) {
+  constexpr double kMaxShareOnEdges = 0.3;  // Up to 0.25 outdoors and in furnished rooms.
+  int num_on_edges = 0;
+  for (int k = 0; k < frame.num_keypoints(); ++k) num_on_edges += IsOnEdge({frame, k});
+  return num_on_edges > kMaxShareOnEdges * frame.num_keypoints();
+}
+
+/// Removes matches of keypoints on edges.
+void RemoveOnEdges(const Frame& query, const Frame& train, std::vector<orb::Match>& matches) {
+  std::erase_if(matches, [&](const orb::Match& match) {
+    return IsOnEdge({query, match.query}) || IsOnEdge({train, match.train});
+  });
 }
 
 /// Returns the depth below which no new landmark is expected.
@@ -96,11 +120,14 @@ int CreateLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max
   const EpipolarMatchingOptions matching{
       LeastDepth(DepthsOfLandmarks(map, map.keyframe(keyframe).frame), options), max_distance,
       options.max_ratio, options.octave_tolerance, options.parallel_sigmas};
+  const bool shows_mostly_edges = ShowsMostlyEdges(map.keyframe(keyframe).frame);
   int num_created = 0;
   for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options)) {
     map.UpdateRays(neighbor);
-    const std::vector<orb::Match> matches = MatchAlongEpipolarLines(
-        map.keyframe(keyframe).frame, map.keyframe(neighbor).frame, map.model(), matching);
+    const Frame& frame = map.keyframe(keyframe).frame;
+    const Frame& other = map.keyframe(neighbor).frame;
+    std::vector<orb::Match> matches = MatchAlongEpipolarLines(frame, other, map.model(), matching);
+    if (shows_mostly_edges) RemoveOnEdges(frame, other, matches);
     for (const orb::Match& match : matches) {
       num_created +=
           CreateLandmark({keyframe, match.query}, {neighbor, match.train}, min_parallax, map);
