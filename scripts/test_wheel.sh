@@ -8,7 +8,8 @@ set -euo pipefail
 
 test_packages=(duckdb==2.0.1 "fsspec[http]==2026.9.0" ipykernel==7.4.0 matplotlib==3.11.2
   mypy==2.4.1 nbclient==0.11.0 nbformat==5.11.1 opencv-python-headless==5.0.0.93 pandas==3.1.1
-  pillow==13.0.0 playwright==1.65.2 plotly==7.1.0 pyarrow==26.0.1 pytest==9.2.0 pyyaml==6.0.4
+  pillow==13.0.0 playwright==1.65.2 plotly==7.1.0 pyarrow==26.0.1 pytest==9.2.0 pytest-xdist==3.8.0
+  pyyaml==6.0.4
   ray==2.60.0 rerun-sdk==0.41.0 rosbags==0.11.9)
 # What Python 3.11 itself needs, and libstdc++.
 root_packages=(libc6 libgcc-s1 libstdc++6 zlib1g libexpat1 libpython3.11-minimal
@@ -41,4 +42,5 @@ python_in_root -c 'import corvo; print("imported from", corvo.__file__)'
 
 echo "Tests in a new environment"
 venv/bin/pip install --quiet --disable-pip-version-check "$wheel" "${test_packages[@]}"
-venv/bin/python -m pytest -q "$tests"
+# Two files of tests at a time; those of a file share what it has made.
+venv/bin/python -m pytest -q --numprocesses 2 --dist loadfile "$tests"
