@@ -9,8 +9,7 @@ set -euo pipefail
 test_packages=(duckdb==2.0.1 "fsspec[http]==2026.9.0" ipykernel==7.4.0 matplotlib==3.11.2
   mypy==2.4.1 nbclient==0.11.0 nbformat==5.11.1 opencv-python-headless==5.0.0.93 pandas==3.1.1
   pillow==13.0.0 playwright==1.65.2 plotly==7.1.0 pyarrow==26.0.1 pytest==9.2.0 pytest-xdist==3.8.0
-  pyyaml==6.0.4
-  ray==2.60.0 rerun-sdk==0.41.0 rosbags==0.11.9)
+  pyyaml==6.0.4 ray==2.60.0 rerun-sdk==0.41.0 rosbags==0.11.9)
 # What Python 3.11 itself needs, and libstdc++.
 root_packages=(libc6 libgcc-s1 libstdc++6 zlib1g libexpat1 libpython3.11-minimal
   libpython3.11-stdlib python3.11-minimal)
