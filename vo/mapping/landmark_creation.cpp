@@ -51,9 +51,9 @@ bool IsOnEdge(const View& view) {
   return !patches.empty() && orb::EigenvalueShare(patches[view.keypoint]) < kMinEigenvalueShare;
 }
 
-/// Returns whether edges prevail in a frame. Elsewhere the corners outvote what slides along them.
-bool ShowsMostlyEdges(const Frame& frame) {
-  constexpr double kMaxShareOnEdges = 0.3;  // Up to 0.25 outdoors and in furnished rooms.
+/// Returns whether too many keypoints of a frame lie on edges for the others to outvote them.
+bool HasManyOnEdges(const Frame& frame) {
+  constexpr double kMaxShareOnEdges = 0.3;  // Up to 0.26 outdoors and in furnished rooms.
   int num_on_edges = 0;
   for (int k = 0; k < frame.num_keypoints(); ++k) num_on_edges += IsOnEdge({frame, k});
   return num_on_edges > kMaxShareOnEdges * frame.num_keypoints();
@@ -117,17 +117,17 @@ bool CreateLandmark(const TrackElement& first, const TrackElement& second, doubl
 int CreateLandmarks(KeyframeId keyframe, const LandmarkOptions& options, int max_distance,
                     Map& map) {
   const double min_parallax = options.min_parallax_deg * std::numbers::pi / 180;
-  const EpipolarMatchingOptions matching{
-      LeastDepth(DepthsOfLandmarks(map, map.keyframe(keyframe).frame), options), max_distance,
-      options.max_ratio, options.octave_tolerance, options.parallel_sigmas};
-  const bool shows_mostly_edges = ShowsMostlyEdges(map.keyframe(keyframe).frame);
+  const Frame& frame = map.keyframe(keyframe).frame;
+  const EpipolarMatchingOptions matching{LeastDepth(DepthsOfLandmarks(map, frame), options),
+                                         max_distance, options.max_ratio, options.octave_tolerance,
+                                         options.parallel_sigmas};
+  const bool has_many_on_edges = HasManyOnEdges(frame);
   int num_created = 0;
   for (const KeyframeId neighbor : FindNeighbors(map, keyframe, options)) {
     map.UpdateRays(neighbor);
-    const Frame& frame = map.keyframe(keyframe).frame;
     const Frame& other = map.keyframe(neighbor).frame;
     std::vector<orb::Match> matches = MatchAlongEpipolarLines(frame, other, map.model(), matching);
-    if (shows_mostly_edges) RemoveOnEdges(frame, other, matches);
+    if (has_many_on_edges) RemoveOnEdges(frame, other, matches);
     for (const orb::Match& match : matches) {
       num_created +=
           CreateLandmark({keyframe, match.query}, {neighbor, match.train}, min_parallax, map);
