@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <mutex>
-#include <set>
 #include <string>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -13,6 +10,7 @@
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/output/decoder_messages.h"
+#include "apps/output/log_once.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
@@ -43,20 +41,14 @@ void CheckHeader(const ImageHeader& header, const std::string& name) {
                           header.width, header.height, header.num_pixels(), kMaxImagePixels));
 }
 
-/// Logs a warning about an image unless one of the same kind was logged before.
-void WarnOnce(const std::string& kind, const std::string& name, const std::string& message) {
-  static std::mutex mutex;
-  static std::set<std::string> kinds;
-  const std::lock_guard lock(mutex);
-  if (kinds.insert(kind).second) spdlog::warn("{}: {}", name, message);
-}
-
 void WarnOfOrientation(const ImageHeader& header, const std::string& name) {
   if (header.orientation == 1) return;
-  WarnOnce("orientation", name,
-           fmt::format("has the EXIF orientation {}, which is ignored: this and all other images "
-                       "are used as stored",
-                       header.orientation));
+  LogOnce(
+      spdlog::level::warn,
+      fmt::format("{}: has the EXIF orientation {}, which is ignored: this and all other images "
+                  "are used as stored",
+                  name, header.orientation),
+      "orientation");
 }
 
 /// Returns whether a decoder's message tells of damaged pixels. A few extraneous bytes before a
@@ -92,7 +84,10 @@ cv::Mat DecodeImage(const std::string& bytes, int flags, const std::string& name
                             complaint.empty() ? "" : " (" + complaint + ")"));
   }
   WarnOfOrientation(header, name);
-  if (!complaint.empty()) WarnOnce(complaint, name, "the decoder says: " + complaint);
+  if (!complaint.empty()) {
+    LogOnce(spdlog::level::warn, fmt::format("{}: the decoder says: {}", name, complaint),
+            complaint);
+  }
   return image;
 }
 

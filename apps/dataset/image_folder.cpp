@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_times.h"
 #include "apps/dataset/layout_hints.h"
+#include "apps/output/log_once.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -42,10 +42,10 @@ void WarnOfSeveralCameras(const fs::path& folder, const std::vector<fs::path>& f
   if (forms.size() < 2 || forms.begin()->second < 2 || !are_even) return;
   std::string names;
   for (const auto& [form, count] : forms) names += fmt::format(" '{}'", form);
-  spdlog::warn(
-      "{}: the names of the images have {} forms ({} images each):{}; if these are several "
-      "cameras, give a pattern for the names of one",
-      folder.string(), forms.size(), forms.begin()->second, names);
+  LogOnce(spdlog::level::warn,
+          fmt::format("{}: the names of the images have {} forms ({} images each):{}; if these are "
+                      "several cameras, give a pattern for the names of one",
+                      folder.string(), forms.size(), forms.begin()->second, names));
 }
 
 /// Returns a pattern for glob() in which the wildcards of existing folders are escaped.
@@ -137,7 +137,8 @@ ImageList ListFolderImages(const fs::path& input, const InputOptions& options) {
     const std::vector<fs::path> subfolders = SubfoldersWithImages(input);
     if (subfolders.size() != 1) ThrowNoImages(input, subfolders);
     files = ImageFilesIn(subfolders.front());
-    spdlog::info("{}: has its images in {}", input.string(), subfolders.front().string());
+    LogOnce(spdlog::level::info,
+            fmt::format("{}: has its images in {}", input.string(), subfolders.front().string()));
   }
   WarnOfSeveralCameras(files.front().parent_path(), files);
   AddTimes(files, options, list);

@@ -3,8 +3,9 @@
 
 #include <utility>
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
 
+#include "apps/output/log_once.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -32,7 +33,8 @@ GrayLevels SequenceLevels::Find() const {
     }
   }
   const GrayLevels levels = histogram.Levels();
-  spdlog::info("{}: 16-bit images; used are {} (--bits changes that)", stored_.name, levels.text());
+  LogOnce(spdlog::level::info, fmt::format("{}: 16-bit images; used are {} (--bits changes that)",
+                                           stored_.name, levels.text()));
   return levels;
 }
 

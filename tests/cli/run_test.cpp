@@ -292,15 +292,20 @@ TEST_F(Run, WarnsIfImagesDoNotDetermineTheFocalLength) {
   EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // A field of view of 70 degrees over 96 px.
 }
 
-/// The images of a rendered room are given without their camera file.
+/// The images of a rendered room are given without their camera file, in the only subfolder of the
+/// input, which is said once although the images are read in several passes.
 TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   CORVO_SKIP_IF_SHORT();
   const int every = 6;
   RunCorvo({"synth", "room", "-o", folder_ / "room", "--frames", "100"});
-  const std::vector<std::string> arguments = {"run",     folder_ / "room/rgb",  "--focal", "auto",
+  fs::create_directory(folder_ / "film");
+  fs::rename(folder_ / "room/rgb", folder_ / "film/images");
+  const std::vector<std::string> arguments = {"run",     folder_ / "film",      "--focal", "auto",
                                               "--every", std::to_string(every), "-o",      result_};
   const CommandResult run = RunCorvo(arguments);
   EXPECT_THAT(run.err, AllOf(HasSubstr("focal search: "), HasSubstr("first pass: ")));
+  EXPECT_THAT(run.err, HasSubstr("has its images in"));
+  EXPECT_EQ(run.err.find("has its images in"), run.err.rfind("has its images in"));
   const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 525, 0.1 * 525);
