@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -43,21 +44,42 @@ def is_running(pid: int) -> bool:
     return stat.rpartition(")")[2].split()[0] != "Z"
 
 
-def processes_below(parent: int) -> dict[int, str]:
+def parent_of(pid: int) -> int:
+    return int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+
+
+def processes_below(ancestor: int) -> dict[int, str]:
     """Returns the command lines of a process's descendants."""
     parents, lines = {}, {}
     for folder in Path("/proc").iterdir():
         if not folder.name.isdecimal():
             continue
         try:
-            stat = (folder / "stat").read_text()
+            pid = int(folder.name)
+            parent = parent_of(pid)
             line = (folder / "cmdline").read_bytes()
         except OSError:  # It has ended.
             continue
-        pid = int(folder.name)
-        parents[pid] = int(stat.rpartition(")")[2].split()[1])
+        parents[pid] = parent
         lines[pid] = line.replace(b"\0", b" ").decode(errors="replace")
-    below = {parent}
+    below = {ancestor}
     while new := {pid for pid, above in parents.items() if above in below} - below:
         below |= new
-    return {pid: lines[pid] for pid in below - {parent}}
+    return {pid: lines[pid] for pid in below - {ancestor}}
+
+
+def servers_below(ancestor: int) -> list[int]:
+    """Returns the processes among a process's descendants whose forks are runs, and these."""
+    lines = processes_below(ancestor)
+    return [pid for pid, line in lines.items() if "corvo.sweep.run_server" in line]
+
+
+def runs_below(ancestor: int) -> list[int]:
+    """Returns the processes of runs among a process's descendants."""
+    processes = servers_below(ancestor)
+    runs = []
+    for pid in processes:
+        with suppress(OSError):  # It has ended.
+            if parent_of(pid) in processes and is_running(pid):
+                runs.append(pid)
+    return runs

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from threading import Timer
 from typing import Any
 
 import pytest
@@ -17,6 +18,7 @@ from conftest import Sequence as Room
 import corvo
 from corvo.sweep import child
 from corvo.sweep.child import Outcome, run_in_child
+from corvo.sweep.forked_run import RunServer
 from corvo.sweep.inputs import Input
 from corvo.sweep.journal import Journal
 from corvo.sweep.limits import Limits
@@ -72,8 +74,8 @@ def test_wrong_input_is_an_error_that_does_not_name_its_place(room: Room) -> Non
 
 
 def test_a_run_that_needs_more_memory_is_ended(room: Room) -> None:
-    outcome = run_in_child(task_of(room, Perturbation(passes=1000)), Limits(100, 50))
-    assert (outcome.failure, outcome.detail) == ("memory", "needed more than 50 MB")
+    outcome = run_in_child(task_of(room, Perturbation(passes=1000)), Limits(100, 20))
+    assert (outcome.failure, outcome.detail) == ("memory", "needed more than 20 MB")
 
 
 def test_a_run_that_takes_longer_is_ended(room: Room) -> None:
@@ -87,15 +89,28 @@ def test_a_run_that_crashes_leaves_its_last_lines(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "crashing.py").write_text(
-        "import os, signal\n"
-        "for i in range(100): print('line', i, flush=True)\n"
-        "os.kill(os.getpid(), signal.SIGSEGV)\n"
+        "import os, signal, sys\n"
+        "from corvo.sweep import run_server, trial\n"
+        "def crash(folder):\n"
+        "    for i in range(100): print('line', i, flush=True)\n"
+        "    os.kill(os.getpid(), signal.SIGSEGV)\n"
+        "trial.main = crash\n"
+        "run_server.main(int(sys.argv[1]))\n"
     )
-    monkeypatch.setattr(child, "_TRIAL", "crashing")
+    monkeypatch.setattr(child, "_server", RunServer("crashing"))
     monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
     outcome = run_in_child({}, LIMITS)
     assert (outcome.failure, outcome.detail) == ("crash", "ended by SIGSEGV")
     assert outcome.last_lines.splitlines() == [f"line {i}" for i in range(80, 100)]
+
+
+def test_a_run_whose_server_is_killed_is_a_crash_and_the_next_one_is_not(room: Room) -> None:
+    assert run_in_child(task_of(room), LIMITS).failure is None
+    server = next(iter(sweep_support.servers_below(os.getpid())))
+    Timer(0.5, os.kill, (server, signal.SIGKILL)).start()
+    outcome = run_in_child(task_of(room, Perturbation(passes=1000)), LIMITS)
+    assert (outcome.failure, outcome.detail) == ("crash", "ended by SIGKILL")
+    assert run_in_child(task_of(room), LIMITS).failure is None
 
 
 def test_a_run_ends_with_its_worker(room: Room, tmp_path: Path) -> None:
@@ -107,8 +122,7 @@ def test_a_run_ends_with_its_worker(room: Room, tmp_path: Path) -> None:
     with subprocess.Popen([sys.executable, "-c", code]) as worker:
         run = None
         while run is None:
-            below = sweep_support.processes_below(worker.pid)
-            run = next((pid for pid, line in below.items() if "corvo.sweep.trial" in line), None)
+            run = next(iter(sweep_support.runs_below(worker.pid)), None)
             time.sleep(0.02)
         time.sleep(1)  # Its images are being processed.
         worker.send_signal(signal.SIGKILL)

@@ -13,12 +13,11 @@ from typing import Any
 
 import pytest
 from conftest import Sequence as Room
-from sweep_support import is_running, processes_below, start_sweep, sweep
+from sweep_support import is_running, parent_of, processes_below, runs_below, start_sweep, sweep
 
 import pyarrow.parquet as pq
 
 TIME_LIMIT_S = 120
-_TRIAL = "corvo.sweep.trial"
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +66,7 @@ def wait_for(condition: Callable[[], Any], seconds: float = 60) -> Any:
 
 def run_below(process: subprocess.Popen[str], others: frozenset[int] = frozenset()) -> int | None:
     """Returns the process of a run of a sweep."""
-    below = processes_below(process.pid)
-    return next((pid for pid, line in below.items() if _TRIAL in line and pid not in others), None)
+    return next((pid for pid in runs_below(process.pid) if pid not in others), None)
 
 
 def processor_time_s() -> float:
@@ -80,10 +78,6 @@ def processor_time_s() -> float:
 def end(processes: Iterable[int]) -> None:
     for pid in processes:
         os.kill(pid, signal.SIGKILL)
-
-
-def parent_of(pid: int) -> int:
-    return int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
 
 
 def test_rows_are_in_the_order_of_the_plan(undisturbed: Path) -> None:
@@ -130,7 +124,7 @@ def test_rows_do_not_depend_on_workers_that_die_and_runs_that_die_or_hang(
         os.kill(killed, signal.SIGKILL)
         seen = frozenset({stopped, killed})
         last = wait_for(lambda: run_below(process, seen))
-        os.kill(parent_of(last), signal.SIGKILL)
+        os.kill(parent_of(parent_of(last)), signal.SIGKILL)  # The worker.
         assert process.wait(120) == 3
     assert rows_of(tmp_path / "sweep") == rows_of(undisturbed)
     attempts = [run["attempts"] for run in table_of(tmp_path / "sweep", "runs.parquet")]

@@ -359,6 +359,14 @@ def test_truth_is_aligned_by_the_inverse_of_the_evaluation() -> None:
     assert Similarity(similarity).apply_inverse(truth) == pytest.approx(estimate)
 
 
+def test_wrong_usage_is_an_error_of_the_command() -> None:
+    process = subprocess.run(
+        [sys.executable, "-m", "corvo", "view"], capture_output=True, text=True
+    )
+    assert process.returncode == 1
+    assert process.stderr.startswith("corvo: error: ") and "RESULT|INPUT" in process.stderr
+
+
 def test_a_folder_that_is_no_input_is_an_error_that_names_it(tmp_path: Path) -> None:
     process = save(tmp_path / "missing", tmp_path / "no.rrd")
     assert process.returncode == 1

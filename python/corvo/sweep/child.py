@@ -5,14 +5,13 @@ import json
 import os
 import select
 import signal
-import subprocess
-import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
+from corvo.sweep.forked_run import ForkedRun, RunServer
 from corvo.sweep.limits import Limits
 
 _Ending = int | Literal["time", "memory"]
@@ -21,7 +20,6 @@ _Ending = int | Literal["time", "memory"]
 _LOOK_S = 0.2
 """The memory of a run is looked at so often, s."""
 
-_TRIAL = "corvo.sweep.trial"
 _LAST_LINES = 20
 _LAST_BYTES = 4000
 
@@ -45,52 +43,46 @@ class Outcome:
 
 
 def run_in_child(task: dict[str, Any], limits: Limits) -> Outcome:
-    """Runs a task in a child process, which is ended if it exceeds a limit."""
+    """Runs a task in a child process, which is ended if it exceeds a limit.
+
+    Only one thread may run tasks.
+    """
     with TemporaryDirectory(prefix="corvo_run_") as name:
         folder = Path(name)
-        document = {**task, "parent": os.getpid()}
-        (folder / "task.json").write_text(json.dumps(document), encoding="utf-8")
+        (folder / "task.json").write_text(json.dumps(task), encoding="utf-8")
         start = time.perf_counter()
         outcome = _outcome(folder, _execute(folder, limits), limits)
         outcome.times["wall_s"] = time.perf_counter() - start
         return outcome
 
 
+_server = RunServer("corvo.sweep.run_server")
+
+
 def _execute(folder: Path, limits: Limits) -> _Ending:
-    program = [sys.executable, "-m", _TRIAL, str(folder)]
-    with open(folder / "output", "wb") as output:
-        process = subprocess.Popen(
-            program, stdin=subprocess.DEVNULL, stdout=output, stderr=output, start_new_session=True
-        )
+    run = _server.start(folder)
     try:
-        return _watch(process, limits)
+        return _watch(run, limits)
     finally:
-        if process.poll() is None:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
+        run.end()
 
 
-def _watch(process: subprocess.Popen[bytes], limits: Limits) -> _Ending:
-    """Waits for the end of a process, or until it exceeds a limit.
+def _watch(run: ForkedRun, limits: Limits) -> _Ending:
+    """Waits for the end of a run, or until it exceeds a limit.
 
     The memory is looked at from outside: inside, an allocation that fails may become an image that
     cannot be read, and thus a wrong outcome.
     """
     deadline = time.monotonic() + limits.time_s
     max_pages = limits.memory_mb * (1 << 20) // os.sysconf("SC_PAGE_SIZE")
-    handle = os.pidfd_open(process.pid)
-    try:
-        poll = select.poll()
-        poll.register(handle, select.POLLIN)
-        with open(f"/proc/{process.pid}/statm", "rb") as memory:
-            while not poll.poll(1e3 * _LOOK_S):
-                if time.monotonic() > deadline:
-                    return "time"
-                if int(os.pread(memory.fileno(), 100, 0).split()[1]) > max_pages:
-                    return "memory"
-    finally:
-        os.close(handle)
-    return process.wait()
+    poll = select.poll()
+    poll.register(run.answers, select.POLLIN)
+    while not poll.poll(1e3 * _LOOK_S):
+        if time.monotonic() > deadline:
+            return "time"
+        if run.resident_pages() > max_pages:
+            return "memory"
+    return run.wait()
 
 
 def _outcome(folder: Path, ending: _Ending, limits: Limits) -> Outcome:

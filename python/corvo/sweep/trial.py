@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""One run, in a process of its own: `python -m corvo.sweep.trial FOLDER`.
+"""One run, in the process that is there for it alone.
 
-The folder has task.json; result.json is written into it if the run ends by itself.
+Its folder has task.json; result.json is written into it if the run ends by itself.
 """
 
 import json
-import os
 import sys
 import time
 from pathlib import Path
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 from corvo._corvo import Error, Options, _set_up_logging
 from corvo.sweep.downloads import fetch, is_url
 from corvo.sweep.measures import Poses, Truth, account
-from corvo.sweep.own_process import end_with, peak_memory_mb
+from corvo.sweep.own_process import peak_memory_mb
 from corvo.sweep.perturbation import Perturbation
 from corvo.sweep.sequence import Frame, Sequence
 
@@ -116,7 +115,6 @@ def _times(stopwatch: Stopwatch, frames: int) -> dict[str, float]:
 def main(folder: Path) -> None:
     """Executes the task of a folder, and writes the result or the error."""
     task = json.loads((folder / "task.json").read_bytes())
-    end_with(task["parent"])
     _set_up_logging()
     try:
         result = run(task, folder)
@@ -124,9 +122,3 @@ def main(folder: Path) -> None:
         print(f"corvo: error: {error}", file=sys.stderr)
         result = {"error": str(error)}
     (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(Path(sys.argv[1]))
-    sys.stderr.flush()
-    os._exit(0)  # Nothing is left to tidy up.

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The command `corvo view`."""
 
-import argparse
 import sys
 import time
 from pathlib import Path
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 import corvo
 from corvo import _corvo
 from corvo._corvo import Inputs
+from corvo.command_parser import CommandParser
 from corvo.commands import report
 from corvo.similarity import Similarity
 from corvo.view.live import LiveView
@@ -40,22 +40,20 @@ Examples:
 def main(arguments: list[str]) -> int:
     """Executes the command and returns its exit code."""
     _corvo._set_up_logging()
-    known, options = _make_parser().parse_known_args(arguments)
     try:
+        known, options = _make_parser().parse_known_args(arguments)
         _view(known.input, known.save, options)
     except corvo.Error as error:
         return report(error)
     return 0
 
 
-def _make_parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def _make_parser() -> CommandParser:
+    parser = CommandParser(
         prog="corvo view",
         usage="corvo view RESULT|INPUT [--save FILE] [OPTIONS]",
         description=_DESCRIPTION,
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
     )
     parser.add_argument(
         "input", metavar="RESULT|INPUT", help="the folder of a result, or what 'corvo run' reads"
