@@ -8,6 +8,12 @@
 #   SOURCE_DATE_EPOCH   the time in the packages; default: that of the last commit, or now
 set -euo pipefail
 
+for program in dpkg-shlibdeps file; do
+  command -v "$program" >/dev/null && continue
+  echo "build_packages.sh: $program is not installed (Debian: apt-get install dpkg-dev file)" >&2
+  exit 1
+done
+
 output=$(realpath -m "${1:-dist}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$(realpath -m "${2:-build/release}")

@@ -90,6 +90,7 @@ class ImageLoop {
     timing.stages = record.odometry.last_times();
     record.timings.push_back(timing);
     record.images.push_back(names_.Of(next));
+    record.cameras.Update(frame, record.odometry);
     if (frame.is_keyframe) {
       record.colors.Add(record.odometry.last_frame(), next.color.empty() ? next.image : next.color);
     }
@@ -162,6 +163,9 @@ RunRecord ProcessSequence(const RunArguments& arguments, const Interruption& int
     record.end = {ErrorText(error), kFailed};
   }
   record.trajectory = record.odometry.Finish();
+  if (!record.trajectory.frames.empty()) {
+    record.cameras.Update(record.trajectory.frames.back(), record.odometry);
+  }
   if (arguments.refine && record.end.is_complete()) {
     RefineRecord(interruption, inputs.source.is_live(), record);
   }

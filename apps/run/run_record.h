@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/output/camera_history.h"
 #include "apps/output/frame_tables.h"
 #include "apps/output/keyframe_features.h"
 #include "apps/output/landmark_colors.h"
@@ -45,6 +46,7 @@ struct RunRecord {
   CalibrationCheck check;
   std::vector<FrameTiming> timings;
   std::vector<std::string> images;  ///< Name of the image of each frame, see ImageNames.
+  CameraHistory cameras;
   LandmarkColors colors;
   std::optional<KeyframeFeatureSpool> features;  ///< Of the keyframes, if they are to be written.
   std::map<Reason, std::string> first_errors;    ///< The first missing image of each reason.

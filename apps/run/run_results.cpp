@@ -99,6 +99,7 @@ OutputPlan PlanOfRun(bool replaces_foreign) {
                 "timing.csv",
                 "config.yaml",
                 "camera_estimated.yaml",
+                "camera_history.csv",
                 "environment.json",
                 "trajectory.png",
                 "summary.json",
@@ -120,6 +121,7 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
+  if (!record.cameras.empty()) output.Write("camera_history.csv", record.cameras.Table());
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   nlohmann::ordered_json environment = DescribeEnvironment(arguments.threads, record.elapsed_s);

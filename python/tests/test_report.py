@@ -24,6 +24,7 @@ import plotly.graph_objects as go  # noqa: E402
 
 from corvo.report import write_report  # noqa: E402
 from corvo.report import colors  # noqa: E402
+from corvo.report.camera import camera_history_figure  # noqa: E402
 from corvo.report.figure import MAX_POINTS, encode, path, series  # noqa: E402
 from corvo.report.frames import KINDS, Frames, find_spans  # noqa: E402
 from corvo.report.html import number  # noqa: E402
@@ -276,10 +277,34 @@ def column(name: str, value: str, first: int = 0) -> Callable[[str], str]:
 def test_plots_are_those_that_plotly_knows(page: str) -> None:
     figures = figures_of(page)
     names = [figure["id"] for figure in figures]
-    expected = ["above-m", "space-m", "error-m", "relative-m", "frames", "camera-change", "time"]
-    assert names == expected
+    assert names == [
+        "above-m", "space-m", "error-m", "relative-m", "frames", "camera-change",
+        "camera-history-0", "time",
+    ]  # fmt: skip
     for figure in figures:
         go.Figure(data=figure["data"], layout=figure["layout"])  # Raises for unknown attributes.
+
+
+def test_the_camera_is_shown_over_time(command_result: Path) -> None:
+    (run,) = open_runs([corvo.Result(command_result)], "")
+    figure = camera_history_figure(run)
+    assert figure is not None
+    curves = {trace["name"]: trace for trace in figure.traces}
+    k1, final = curves["k1"], run.summary["calibration"]["k1"]
+    prior_sigma = 0.03
+    assert (k1["x"][0], k1["y"][0], k1["error_y"]["array"][0]) == (0, 0, 1)
+    assert k1["x"][-1] == run.summary["frames"] - 1
+    assert k1["y"][-1] == pytest.approx((final["value"] - final["given"]) / prior_sigma, rel=1e-6)
+    assert k1["error_y"]["array"][-2] == pytest.approx(final["sigma"] / prior_sigma, rel=1e-4)
+
+
+def test_a_camera_without_a_history_has_none_in_the_report(
+    command_result: Path, tmp_path: Path
+) -> None:
+    shutil.copytree(command_result, tmp_path / "old")
+    (tmp_path / "old" / "camera_history.csv").unlink()
+    (run,) = open_runs([corvo.Result(tmp_path / "old")], "")
+    assert camera_history_figure(run) is None
 
 
 def test_masked_areas_are_shown_if_there_are_any(command_result: Path, tmp_path: Path) -> None:

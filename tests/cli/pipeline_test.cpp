@@ -20,6 +20,7 @@
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"
 #include "vo/io/config.h"
+#include "vo/io/text_lines.h"
 #include "vo/io/trajectory_io.h"
 
 namespace corvo::test {
@@ -314,12 +315,36 @@ TEST_F(Pipeline, WritesTheEstimatedCameraWithStandardDeviations) {
   EXPECT_LT(k1->sigma, CalibrationOptions().k1_sigma);
 }
 
+TEST_F(Pipeline, WritesHowTheEstimateOfTheCameraChanged) {
+  const std::vector<TextLine> lines = ReadTextLines(Result() / "camera_history.csv");
+  ASSERT_GE(lines.size(), 3);
+  const std::vector<std::string> names = SplitFields(lines.front().text);
+  const auto column = [&](const char* name) {
+    return std::ranges::find(names, name) - names.begin();
+  };
+  const auto number = [&](const TextLine& line, const char* name) {
+    return std::stod(SplitFields(line.text).at(column(name)));
+  };
+  const auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));
+  const auto& k1 = summary["calibration"]["k1"];
+  EXPECT_EQ(number(lines[1], "index"), 0);
+  EXPECT_EQ(number(lines[1], "k1"), k1["given"]);
+  EXPECT_EQ(number(lines[1], "k1_sigma"), CalibrationOptions().k1_sigma);
+  EXPECT_NEAR(number(lines.back(), "k1"), k1["value"], 1e-8);
+  EXPECT_NEAR(number(lines.back(), "k1_sigma"), k1["sigma"], 1e-6);
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    EXPECT_GT(number(lines[i], "index"), number(lines[i - 1], "index"));
+    EXPECT_LE(number(lines[i], "k1_sigma"), 1.001 * number(lines[i - 1], "k1_sigma"));
+  }
+}
+
 TEST_F(Pipeline, FixedCameraIsNotEstimated) {
   const fs::path fixed = *folder_ / "fixed";
   const CommandResult run = RunOn(Street(), fixed, {"--calibration", "fixed"});
   ASSERT_EQ(run.exit_code, kDone) << run.err;
   const auto summary = nlohmann::json::parse(ReadText(fixed / "summary.json"));
   EXPECT_TRUE(summary["calibration"].is_null());
+  EXPECT_FALSE(fs::exists(fixed / "camera_history.csv"));
   const CameraFile found = ReadCameraFile(fixed / "camera_estimated.yaml");
   EXPECT_EQ(found.camera.fx(), summary["camera"]["fx"]);
   EXPECT_EQ(found.sigma, std::vector<FreeParameter>());
@@ -512,7 +537,8 @@ TEST_F(Pipeline, OutputDoesNotDependOnTheNumberOfThreads) {
   for (const char* name :
        {"trajectory.tum", "trajectory.kitti", "trajectory_euroc.csv", "keyframes.tum",
         "rotations.tum", "map.ply", "frames.csv", "observations.npy", "summary.json", "config.yaml",
-        "trajectory.png", "relative_poses.csv", "pose_graph.g2o", "pose_graph_sim3.g2o"}) {
+        "trajectory.png", "relative_poses.csv", "pose_graph.g2o", "pose_graph_sim3.g2o",
+        "camera_history.csv"}) {
     EXPECT_EQ(ReadText(Result() / name), ReadText(two / name)) << name;
   }
 }

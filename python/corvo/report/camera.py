@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from corvo.report import colors
+from corvo.report.camera_history import CameraHistory
 from corvo.report.figure import Figure
 from corvo.report.html import number
 from corvo.report.run import Run
@@ -57,6 +58,51 @@ def camera_figure(runs: Sequence[Run]) -> Figure | None:
         "showlegend": len(runs) > 1,
     }
     return figure
+
+
+def camera_history_figure(run: Run) -> Figure | None:
+    """Returns None if no parameter of the camera changed."""
+    history = run.camera_history
+    if history is None or not history.changed:
+        return None
+    changed, kept = history.changed, [n for n in history.values if n not in history.changed]
+    figure = Figure(
+        f"camera-history-{run.index}",
+        f"Camera of {run.name} over time",
+        "Difference from the given value in standard deviations of the given one, with bars of "
+        f"the estimate's own. The camera was estimated {len(history.frames) - 1} times.",
+    )
+    figure.traces = [_steps(run, history, name, i) for i, name in enumerate(changed)]
+    if kept:
+        figure.notes = [f"Without evidence against it, the given value was kept: {', '.join(kept)}."]
+    figure.layout = {
+        "xaxis": {"title": {"text": "frame"}},
+        "yaxis": {"title": {"text": "(estimate − given) / σ of the given"}, "zeroline": True},
+        "showlegend": True,
+    }
+    return figure
+
+
+def _steps(run: Run, history: CameraHistory, name: str, variant: int) -> dict[str, Any]:
+    """Returns the curve of a parameter, whose last estimate holds until the last frame."""
+    values, sigmas = history.values[name], history.sigmas[name]
+    given, sigma = values[0], sigmas[0]
+    line = colors.line(variant)
+    return {
+        "type": "scatter",
+        "mode": "lines+markers",
+        "name": name,
+        "x": np.append(history.frames, len(run.frames) - 1).astype(np.int32),
+        "y": np.append(values - given, values[-1] - given) / sigma,
+        "error_y": {"type": "data", "array": np.append(sigmas / sigma, 0.0), "thickness": 1},
+        "line": {**line, "shape": "hv"},
+        "marker": {"color": line["color"], "size": 5},
+        "text": [
+            f"{number(v, 5)} ± {number(s, 2)}"
+            for v, s in zip([*values, values[-1]], [*sigmas, sigmas[-1]])
+        ],
+        "hovertemplate": "frame %{x}: %{text}",
+    }
 
 
 def _dots(run: Run, parameters: list[Parameter]) -> dict[str, Any]:

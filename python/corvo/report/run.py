@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from corvo._corvo import Error
+from corvo.report.camera_history import CameraHistory, read_camera_history
 from corvo.report.comparison import Comparison, compare
 from corvo.report.frames import Frames, Span, find_spans, read_frames
 from corvo.report.options import Option, input_options, read_options
@@ -45,6 +46,7 @@ class Run:
     unit: str
     comparison: Comparison | None
     true_path: NDArray[np.float64] | None  # Shape (m, 3): right, forward, up.
+    camera_history: CameraHistory | None
     timing: Timing
     options: dict[str, Option]
     inputs: dict[str, str]
@@ -111,6 +113,7 @@ def _open(
         unit="m" if comparison or _is_metric(result.summary) else "units",
         comparison=comparison,
         true_path=world.apply(comparison.true_positions) if comparison else None,
+        camera_history=read_camera_history(result),
         timing=read_timing(result),
         options=read_options(result),
         inputs=input_options(result),

@@ -3,7 +3,7 @@
 
 from collections.abc import Sequence
 
-from corvo.report.camera import camera_figure, parameters_of
+from corvo.report.camera import camera_figure, camera_history_figure, parameters_of
 from corvo.report.doubts import doubts_of
 from corvo.report.error_figures import error_figures
 from corvo.report.figure import Figure
@@ -58,8 +58,8 @@ def _camera(runs: Sequence[Run]) -> list[str | Figure]:
     figure = camera_figure(runs)
     if figure is None:
         return [paragraph("The camera was taken as given.")]
-    note = "A result has the final estimate only, not how it changed over time."
-    return [paragraph(note), figure, *map(_camera_table, runs)]
+    histories = [history for run in runs if (history := camera_history_figure(run))]
+    return [figure, *histories, *map(_camera_table, runs)]
 
 
 def _camera_table(run: Run) -> str:
