@@ -16,6 +16,7 @@
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/packet_size.h"
 #include "apps/output/decoder_messages.h"
+#include "apps/output/log_once.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -95,9 +96,9 @@ class CaptureReader : public ImageReader {
     // FFmpeg's scaler says so of an image that is higher than the first.
     if (complaint.find("Slice parameters") != std::string::npos) return Reason::kWrongSize;
     KeepComplaint(complaint);
-    if (!complaint_.empty() && !has_complained_) {
-      spdlog::warn("{}, frame {}: the decoder says: {}", name_, index_, complaint_);
-      has_complained_ = true;
+    if (!complaint_.empty()) {
+      LogOnce(spdlog::level::warn,
+              fmt::format("{}, frame {}: the decoder says: {}", name_, index_, complaint_), name_);
     }
     return is_retrieved ? Reason::kNone : Reason::kUnreadableImage;
   }
@@ -121,8 +122,7 @@ class CaptureReader : public ImageReader {
 
   std::unique_ptr<VideoInput> input_;
   std::string name_;
-  std::string complaint_;        ///< The first message of the decoder.
-  bool has_complained_ = false;  ///< Whether it was logged.
+  std::string complaint_;  ///< The first message of the decoder.
   bool has_other_size_ = false;
   int index_ = -1;
   TimeNs time_ns_ = 0;
