@@ -69,6 +69,7 @@ void WriteTables(const RunRecord& record, const OutputFolder& output) {
   output.Write("pose_graph_sim3.g2o", ToG2o(record.graph, G2oForm::kSim3));
   if (record.features) record.features->Write(record.graph, output.Stage("keyframe_features.npy"));
   output.Write("timing.csv", TimingTable(record.timings));
+  if (!record.cameras.empty()) output.Write("camera_history.csv", record.cameras.Table());
   if (record.metric) output.Write("metric_scale.csv", MetricScaleTable(record.metric->scale()));
 }
 
@@ -121,7 +122,6 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(record, output);
   output.Write("config.yaml", WriteOptions(inputs.options));
-  if (!record.cameras.empty()) output.Write("camera_history.csv", record.cameras.Table());
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);
   nlohmann::ordered_json environment = DescribeEnvironment(arguments.threads, record.elapsed_s);

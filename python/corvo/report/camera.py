@@ -63,9 +63,10 @@ def camera_figure(runs: Sequence[Run]) -> Figure | None:
 def camera_history_figure(run: Run) -> Figure | None:
     """Returns None if no parameter of the camera changed."""
     history = run.camera_history
-    if history is None or not history.changed:
+    changed = history.changed if history else []
+    if not history or not changed:
         return None
-    changed, kept = history.changed, [n for n in history.values if n not in history.changed]
+    kept = [name for name in history.values if name not in changed]
     figure = Figure(
         f"camera-history-{run.index}",
         f"Camera of {run.name} over time",
@@ -85,22 +86,21 @@ def camera_history_figure(run: Run) -> Figure | None:
 
 def _steps(run: Run, history: CameraHistory, name: str, variant: int) -> dict[str, Any]:
     """Returns the curve of a parameter, whose last estimate holds until the last frame."""
-    values, sigmas = history.values[name], history.sigmas[name]
-    given, sigma = values[0], sigmas[0]
+    held = [*range(len(history.frames)), -1]
+    values, sigmas = history.values[name][held], history.sigmas[name][held]
+    bars = sigmas / sigmas[0]
+    bars[-1] = 0
     line = colors.line(variant)
     return {
         "type": "scatter",
         "mode": "lines+markers",
         "name": name,
         "x": np.append(history.frames, len(run.frames) - 1).astype(np.int32),
-        "y": np.append(values - given, values[-1] - given) / sigma,
-        "error_y": {"type": "data", "array": np.append(sigmas / sigma, 0.0), "thickness": 1},
+        "y": (values - values[0]) / sigmas[0],
+        "error_y": {"type": "data", "array": bars, "thickness": 1},
         "line": {**line, "shape": "hv"},
         "marker": {"color": line["color"], "size": 5},
-        "text": [
-            f"{number(v, 5)} ± {number(s, 2)}"
-            for v, s in zip([*values, values[-1]], [*sigmas, sigmas[-1]])
-        ],
+        "text": [f"{number(v, 5)} ± {number(s, 2)}" for v, s in zip(values, sigmas)],
         "hovertemplate": "frame %{x}: %{text}",
     }
 
