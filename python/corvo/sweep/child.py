@@ -50,6 +50,7 @@ def run_in_child(task: dict[str, Any], limits: Limits) -> Outcome:
     with TemporaryDirectory(prefix="corvo_run_") as name:
         folder = Path(name)
         (folder / "task.json").write_text(json.dumps(task), encoding="utf-8")
+        (folder / "output").touch()  # The process may be killed before it prints anything.
         start = time.perf_counter()
         outcome = _outcome(folder, _execute(folder, limits), limits)
         outcome.times["wall_s"] = time.perf_counter() - start

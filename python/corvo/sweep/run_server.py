@@ -58,9 +58,9 @@ def _execute(folder: Path, server: int) -> NoReturn:
 
 
 def _redirect(output: Path) -> None:
-    """Connects standard input with nothing, and standard output and error with a file."""
+    """Connects standard input with nothing, and standard output and error with an empty file."""
     null = os.open(os.devnull, os.O_RDONLY)
-    file = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o644)
+    file = os.open(output, os.O_WRONLY)
     os.dup2(null, 0)
     os.dup2(file, 1)
     os.dup2(file, 2)
