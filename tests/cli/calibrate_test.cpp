@@ -19,7 +19,7 @@ class Calibrate : public testing::Test {
     EXPECT_THAT(result.err, testing::ContainsRegex("corvo: error: .*" + message));
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   fs::path camera_ = folder_ / "out/camera.yaml";
 };
 

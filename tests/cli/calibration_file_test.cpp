@@ -10,7 +10,7 @@
 #include "apps/export/nerfstudio_transforms.h"
 #include "apps/output/binary_data.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 namespace {
@@ -68,7 +68,7 @@ std::string Replaced(const std::string& text, const std::string& from, const std
 }
 
 CalibrationFile Read(const std::string& text, const std::string& name = "") {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder / "calibration", text);
   return ReadCalibrationFile(folder / "calibration", name);
 }

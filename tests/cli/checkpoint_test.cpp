@@ -15,10 +15,10 @@ namespace corvo {
 namespace {
 
 using test::ReadText;
-using test::TempFolder;
+using test::TemporaryFolder;
 
 TEST(Checkpoint, IsASmallResultThatSaysThatItIsIncomplete) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteKitti(folder / "gr\xfcn", 5);
   RunArguments arguments;
   arguments.input = folder / "gr\xfcn";
@@ -60,7 +60,7 @@ Trajectory TrackRoom(RunInputs inputs, const std::function<void(const Odometry&)
 
 TEST(Checkpoint, DoesNotAffectTheResult) {
   CORVO_SKIP_IF_SHORT();
-  TempFolder folder;
+  TemporaryFolder folder;
   const auto room =
       test::RunCorvo({"synth", "room", "-o", folder / "room", "--frames", "60", "--width", "320"});
   ASSERT_EQ(room.exit_code, 0) << room.err;
@@ -84,7 +84,7 @@ TEST(Checkpoint, DoesNotAffectTheResult) {
 
 /// A file takes the place of the hidden folder in which checkpoints are staged.
 TEST(Checkpoint, ThatCannotBeWrittenDoesNotEndTheRun) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteKitti(folder / "images", 2);
   RunArguments arguments;
   arguments.input = folder / "images";

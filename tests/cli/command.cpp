@@ -9,7 +9,8 @@
 #include <unistd.h>
 #include <algorithm>
 
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -59,7 +60,7 @@ class Process {
   std::string Out() const { return folder_ / "out"; }
   std::string Err() const { return folder_ / "err"; }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   std::string program_;
   pid_t id_ = 0;
   bool started_ = false;

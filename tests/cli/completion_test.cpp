@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 #include "tests/support/data.h"
 
 namespace corvo::test {
@@ -69,7 +69,7 @@ class CompletionTest : public testing::Test {
         .out;
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(CompletionTest, OfBash) {

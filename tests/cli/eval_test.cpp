@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -60,7 +61,7 @@ class Eval : public testing::Test {
   }
 
   static constexpr int kCount = 12;
-  TempFolder folder_;
+  TemporaryFolder folder_;
   std::string truth_text_, estimate_text_, kitti_text_, times_text_;
   const fs::path truth_ = folder_ / "truth.tum";
   const fs::path estimate_ = folder_ / "estimate.tum";

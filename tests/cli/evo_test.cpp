@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 #include "tests/support/data.h"
 
 namespace corvo::test {
@@ -64,7 +64,7 @@ class Evo : public testing::TestWithParam<Measure> {
     return nlohmann::json::parse(run.out, nullptr, false);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_P(Evo, EvalAgreesWithEvo) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 
@@ -30,7 +30,7 @@ class ExampleFolder {
   void ExpectRuns(const std::string& command) const;
 
  private:
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace corvo::test

@@ -161,7 +161,7 @@ TEST(PointFit, MinimizesTheSquaredPixelErrors) {
 }
 
 TEST(PointColors, AreThoseOfTheFirstImageThatCanBeRead) {
-  const test::TemporaryDir folder;
+  const test::TemporaryFolder folder;
   Reconstruction reconstruction = SmallReconstruction();
   reconstruction.images[0].name = "missing.png";
   reconstruction.images[1].name = "small.png";

@@ -11,7 +11,8 @@
 
 #include "apps/output/manifest.h"
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 #ifdef CORVO_FAULT_INJECTION
 
@@ -82,7 +83,7 @@ bool IsWhole(const fs::path& folder) {
 class FaultTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    shared_ = std::make_unique<TempFolder>();
+    shared_ = std::make_unique<TemporaryFolder>();
     const CommandResult room =
         RunCorvo({"synth", "room", "--frames", "60", "--width", "240", "-o", *shared_ / "room"});
     ASSERT_EQ(room.exit_code, 0) << room.err;
@@ -168,15 +169,15 @@ class FaultTest : public testing::Test {
               << num_errors_ << " errors\n";
   }
 
-  static std::unique_ptr<TempFolder> shared_;
-  TempFolder folder_;
+  static std::unique_ptr<TemporaryFolder> shared_;
+  TemporaryFolder folder_;
   fs::path output_ = fs::canonical(folder_.path()) / "out";
   std::string log_ = folder_ / "log";
   int num_runs_ = 0;
   int num_errors_ = 0;
 };
 
-std::unique_ptr<TempFolder> FaultTest::shared_;
+std::unique_ptr<TemporaryFolder> FaultTest::shared_;
 
 TEST_F(FaultTest, OfOpeningLeavesAWholeResult) {
   FailEach("open", EMFILE, 28);

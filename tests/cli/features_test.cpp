@@ -7,6 +7,7 @@
 #include "orb/extractor.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -41,7 +42,7 @@ class FeatureCommands : public testing::Test {
     WriteImage(b_, wide.colRange(7, 207));
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   const fs::path a_ = folder_ / "a.png";
   const fs::path b_ = folder_ / "b.png";
   const fs::path out_ = folder_ / "out";

@@ -16,7 +16,7 @@ namespace corvo {
 namespace {
 
 TEST(MapPly, ReadsBackWhatWasWritten) {
-  const test::TemporaryDir folder;
+  const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "map.ply";
   std::vector<MapPoint> points(2);
   points[0] = {7, 1, {1.0 / 3, -2e-9, 4e6}, {1, 2, 255}, 12};
@@ -37,7 +37,7 @@ TEST(MapPly, ReadsBackWhatWasWritten) {
 }
 
 TEST(ObservationTable, ReadsBackWhatWasWritten) {
-  const test::TemporaryDir folder;
+  const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "observations.npy";
   ObservationWriter writer(file);
   for (int i = 0; i < 3; ++i) writer.Add({i, 100000 + i, 0.1F * i, 1e3F + i, 0.5F});

@@ -7,7 +7,7 @@
 #include "apps/run/run_inputs.h"
 #include "tests/cli/command.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 namespace {
@@ -47,7 +47,7 @@ std::vector<NumericOption> NumericOptions() {
 }
 
 TEST(NumericOptionsOfCommands, RejectWhatIsNoFiniteNumber) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const NumericOption& option : NumericOptions()) {
     for (const char* text : {"nan", "-inf", "1e999"}) {
       std::vector<std::string> arguments = option.arguments;

@@ -69,7 +69,7 @@ TEST(GrayHistogram, SpreadsANarrowRange) {
 }
 
 TEST(SixteenBitImages, OfASequenceShareOneMap) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (int i = 0; i < 20; ++i) {
     cv::Mat image;
     TinyImage(i).convertTo(image, CV_16U, i < 10 ? 4 : 16);

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 #include "tests/support/matchers.h"
 
 namespace corvo::test {
@@ -28,7 +28,7 @@ class GroundTruth : public testing::Test {
     return folder_ / name;
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(GroundTruth, IsFoundInEveryLayout) {

@@ -102,7 +102,7 @@ TEST(Hardening, TheCommandItselfUsesNoNetworkAndNoShell) {
 TEST(Hardening, APlaylistGivenAsAVideoDoesNotReachTheNetwork) {
   const Server server;
   if (!server.is_listening()) GTEST_SKIP() << "no server can be started here";
-  const TemporaryDir folder;
+  const TemporaryFolder folder;
   const std::string url = fmt::format("http://127.0.0.1:{}/a.ts", server.port());
   const auto video = folder.Write(
       "video.mp4",

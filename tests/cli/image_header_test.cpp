@@ -9,6 +9,7 @@
 #include "tests/cli/command.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 #include "vo/io/file_bytes.h"
 
 namespace corvo::test {
@@ -45,7 +46,7 @@ class ImageHeaders : public testing::Test {
     return ReadText(folder_ / name);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ImageHeaders, StateTheSizeInEveryFormat) {

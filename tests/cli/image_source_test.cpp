@@ -12,7 +12,7 @@ namespace corvo {
 namespace {
 
 using test::ErrorOf;
-using test::TempFolder;
+using test::TemporaryFolder;
 using test::TinyImage;
 using test::WriteText;
 using ::testing::AllOf;
@@ -45,7 +45,7 @@ TEST(NaturalLess, ComparesNumbersTooLongForAnInteger) {
 }
 
 TEST(FolderSequence, ImagesAreInNaturalOrderWithTimesByFrameRate) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"10.png", "9.png", "1.PNG", "2.jpg"}) {
     test::WriteImage(folder / name, TinyImage(0));
   }
@@ -59,14 +59,14 @@ TEST(FolderSequence, ImagesAreInNaturalOrderWithTimesByFrameRate) {
 }
 
 TEST(FolderSequence, SkipsDepthImages) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteImage(folder / "frame-000000.color.png", TinyImage(0));
   test::WriteImage(folder / "frame-000000.depth.png", TinyImage(0));
   EXPECT_THAT(FileNames(ListImages(folder.path())), testing::ElementsAre("frame-000000.color.png"));
 }
 
 TEST(FolderSequence, ErrorsNameTheInvalidInput) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOfListing(folder / "missing"), HasSubstr("missing: no such folder"));
   EXPECT_THAT(ErrorOfListing(folder / "file.txt"), HasSubstr("file.txt: not a folder"));
@@ -74,7 +74,7 @@ TEST(FolderSequence, ErrorsNameTheInvalidInput) {
 }
 
 TEST(KittiSequence, ReadsTimesAndCalibration) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteKitti(folder.path(), 3);
   const ImageList list = ListImages(folder.path());
   EXPECT_EQ(list.layout, "kitti");
@@ -92,7 +92,7 @@ TEST(KittiSequence, ReadsTimesAndCalibration) {
 }
 
 TEST(KittiSequence, ErrorsNameTheMalformedFile) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "calib.txt", "P0: 80 0 47.5\n");
   EXPECT_THAT(ErrorOfListing(folder.path()),
@@ -107,7 +107,7 @@ TEST(KittiSequence, ErrorsNameTheMalformedFile) {
 }
 
 TEST(KittiSequence, RequiresOneAscendingTimePerImage) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteKitti(folder.path(), 3);
   WriteText(folder / "times.txt", "0\n0.1\n");
   EXPECT_THAT(ErrorOfListing(folder.path()), HasSubstr("2 timestamps for the 3 images"));
@@ -119,7 +119,7 @@ TEST(KittiSequence, RequiresOneAscendingTimePerImage) {
 }
 
 TEST(EurocSequence, IsRecognizedFromMav0AndFromItsParent) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteEuroc(folder / "mav0", 3);
   for (const std::filesystem::path& input : {folder.path(), folder / "mav0"}) {
     const ImageList list = ListImages(input);
@@ -130,7 +130,7 @@ TEST(EurocSequence, IsRecognizedFromMav0AndFromItsParent) {
 }
 
 TEST(EurocSequence, ReadsTheSensorsCalibration) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteEuroc(folder / "mav0", 1);
   const ImageList list = ListImages(folder.path());
   CameraParameters expected;
@@ -149,7 +149,7 @@ TEST(EurocSequence, ReadsTheSensorsCalibration) {
 }
 
 TEST(EurocSequence, ErrorsNameTheMalformedFile) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteEuroc(folder / "mav0", 2);
   const std::filesystem::path cam0 = folder / "mav0/cam0";
   WriteText(cam0 / "sensor.yaml", "resolution: [96, 64]\ncamera_model: fisheye\n");
@@ -168,7 +168,7 @@ TEST(EurocSequence, ErrorsNameTheMalformedFile) {
 }
 
 TEST(TumSequence, ReadsExactTimesAndConvertsColor) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteTum(folder.path(), 3);
   ImageSource source(ListImages(folder.path()));
   EXPECT_EQ(source.list().layout, "tum");
@@ -183,7 +183,7 @@ TEST(TumSequence, ReadsExactTimesAndConvertsColor) {
 }
 
 TEST(TumSequence, ErrorsNameMissingImagesAndMalformedLines) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteTum(folder.path(), 2);
   WriteText(folder / "rgb.txt", "# c\n1.5 rgb/none.png\n");
   EXPECT_THAT(ErrorOf([&] { ImageSource(ListImages(folder.path())).First(); }),
@@ -195,7 +195,7 @@ TEST(TumSequence, ErrorsNameMissingImagesAndMalformedLines) {
 }
 
 TEST(ImageSource, ReturnsEveryImageOnce) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 3);
   ImageSource source(ListImages(folder.path()));
   for (int i = 0; i < 3; ++i) {
@@ -208,7 +208,7 @@ TEST(ImageSource, ReturnsEveryImageOnce) {
 }
 
 TEST(ImageSource, ReturnsAnUnreadableImageAsMissing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 6);
   WriteText(folder / "0.png", "garbage");
   WriteText(folder / "4.png", "");
@@ -227,7 +227,7 @@ TEST(ImageSource, ReturnsAnUnreadableImageAsMissing) {
 }
 
 TEST(ImageSource, ReturnsAnImageOfAnotherSizeAsMissing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 3);
   test::WriteImage(folder / "0.png", TinyImage(0, 80, 60));
   ImageSource source(ListImages(folder.path()));
@@ -244,7 +244,7 @@ TEST(ImageSource, ReturnsAnImageOfAnotherSizeAsMissing) {
 }
 
 TEST(ImageSource, ErrorNamesAnUnreadableImageIfAllAreRequiredOrNoneIsReadable) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 2);
   WriteText(folder / "0.png", "garbage");
   ImageSource strict(ListImages(folder.path()));
@@ -257,7 +257,7 @@ TEST(ImageSource, ErrorNamesAnUnreadableImageIfAllAreRequiredOrNoneIsReadable) {
 }
 
 TEST(ImageSource, DoesNotReadWhatCorvoWrote) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 2);
   test::WriteImage(folder / "trajectory.png", TinyImage(9));
   test::WriteImage(folder / "users.png", TinyImage(9));

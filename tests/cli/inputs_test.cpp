@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using test::ErrorOf;
 using test::kTinyHeight;
 using test::kTinyWidth;
-using test::TempFolder;
+using test::TemporaryFolder;
 using test::TinyImage;
 using test::WriteText;
 using ::testing::AllOf;
@@ -63,7 +63,7 @@ void WriteVideo(const fs::path& file, int count) {
 }
 
 TEST(Glob, ListsMatchingImagesInNaturalOrder) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"left10.png", "left9.png", "right1.png"}) {
     test::WriteImage(folder / name, TinyImage(0));
   }
@@ -79,7 +79,7 @@ TEST(Glob, ListsMatchingImagesInNaturalOrder) {
 }
 
 TEST(Glob, MatchesAcrossSeveralFolders) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteImage(folder / "b/1.png", TinyImage(0));
   test::WriteImage(folder / "a/2.png", TinyImage(0));
   const ImageList list = ListImages(folder / "*/?.png");
@@ -88,7 +88,7 @@ TEST(Glob, MatchesAcrossSeveralFolders) {
 }
 
 TEST(Video, TimestampsComeFromTheVideo) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteVideo(folder / "drive.avi", 8);
   const std::vector<TimedImage> images = ReadAll(Open(folder / "drive.avi"));
   ASSERT_EQ(images.size(), 8u);
@@ -102,7 +102,7 @@ TEST(Video, TimestampsComeFromTheVideo) {
 }
 
 TEST(Video, GivenFrameRateOverridesTheTimestamps) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteVideo(folder / "drive.avi", 3);
   InputOptions options;
   options.frame_rate_hz = 100.0;
@@ -113,7 +113,7 @@ TEST(Video, GivenFrameRateOverridesTheTimestamps) {
 }
 
 TEST(Video, SelectionPicksFrames) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteVideo(folder / "drive.avi", 8);
   const std::vector<TimedImage> images =
       ReadAll(Open(folder / "drive.avi", {.start = 1, .every = 3, .count = std::nullopt}));
@@ -122,7 +122,7 @@ TEST(Video, SelectionPicksFrames) {
 }
 
 TEST(Video, ErrorNamesAFileThatIsNoVideo) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "file.txt", "text");
   EXPECT_THAT(ErrorOf([&] { Open(folder / "file.txt"); }),
               HasSubstr("file.txt: neither a folder of images nor a video"));
@@ -137,7 +137,7 @@ TEST(CameraInput, ErrorNamesAMissingCamera) {
 }
 
 TEST(SelectedImages, KeepTheirTimestampsAndIndices) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 10);
   ImageSource source = Open(folder.path(), {.start = 2, .every = 3, .count = 2});
   EXPECT_EQ(source.size(), 2);
@@ -148,7 +148,7 @@ TEST(SelectedImages, KeepTheirTimestampsAndIndices) {
 }
 
 TEST(SelectedImages, SizeEqualsTheNumberOfImagesRead) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteFolder(folder.path(), 10);
   for (const Selection& selection :
        {Selection{}, Selection{3, 1, {}}, Selection{0, 4, {}}, Selection{9, 2, {}},
@@ -161,7 +161,7 @@ TEST(SelectedImages, SizeEqualsTheNumberOfImagesRead) {
 }
 
 TEST(GrayImage, KeepsTheUpperByteOfSixteenBits) {
-  TempFolder folder;
+  TemporaryFolder folder;
   cv::Mat image(16, 256, CV_16UC1);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 256; ++x) {
@@ -180,7 +180,7 @@ TEST(GrayImage, KeepsTheUpperByteOfSixteenBits) {
 }
 
 TEST(GrayImage, WeightsColorChannels) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const cv::Mat color(8, 8, CV_8UC3, cv::Scalar(200, 100, 50));  // B, G, R
   const double expected = 0.114 * 200 + 0.587 * 100 + 0.299 * 50;
   test::WriteImage(folder / "c.png", color);
@@ -202,7 +202,7 @@ TEST(GrayImage, RejectsUnsupportedPixelTypes) {
 }
 
 TEST(GrayImage, ErrorNamesATruncatedImage) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"p.jpg", "p.png"}) {
     test::WriteImage(folder / name, TinyImage(1));
     const std::string whole = test::ReadText(folder / name);
@@ -233,7 +233,7 @@ void WriteTumMono(const fs::path& folder, int count) {
 }
 
 TEST(TumMonoSequence, ReadsTimesAndCamera) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteTumMono(folder.path(), 3);
   const ImageList list = ListImages(folder.path());
   EXPECT_EQ(list.layout, "tum-mono");
@@ -253,7 +253,7 @@ TEST(TumMonoSequence, ReadsTimesAndCamera) {
 }
 
 TEST(TumMonoSequence, ErrorsNameTheMalformedFile) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const auto error = [&] { return ErrorOf([&] { ListImages(folder.path()); }); };
   WriteText(folder / "images.zip", "zip");
   WriteText(folder / "times.txt", "00000 1.5 0.01\n");
@@ -275,7 +275,7 @@ TEST(TumMonoSequence, ErrorsNameTheMalformedFile) {
 }
 
 TEST(EurocSequence, EquidistantDistortionIsKb4) {
-  TempFolder folder;
+  TemporaryFolder folder;
   test::WriteEuroc(folder / "dataset-room1_512_16/mav0", 1);
   std::string sensor = test::EurocSensor();
   sensor.replace(sensor.find("radial-tangential"), 17, "equidistant");
@@ -290,7 +290,7 @@ TEST(EurocSequence, EquidistantDistortionIsKb4) {
 }
 
 TEST(EurocSequence, TumViCalibrationIsReadFromBesideMav0) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const fs::path room = folder / "dataset-room1_512_16";
   test::WriteEuroc(room / "mav0", 1);
   fs::remove(room / "mav0/cam0/sensor.yaml");
@@ -340,7 +340,7 @@ class PreparedInputs : public testing::Test {
     return ReadAll(ReadInputs(arguments_, Interruption()).source);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   RunArguments arguments_;
 };
 

@@ -39,7 +39,7 @@ class CommandThatWaits : public testing::TestWithParam<int> {
     EXPECT_FALSE(fs::exists(output_ / "trajectory.tum"));
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   fs::path pipe_ = folder_ / "pipe";
   fs::path images_ = folder_ / "images";
   fs::path camera_ = folder_ / "camera.yaml";
@@ -66,7 +66,7 @@ TEST_P(CommandThatWaits, EndsAtOnce) {
 INSTANTIATE_TEST_SUITE_P(BySignal, CommandThatWaits, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 TEST(InterruptedSynth, RemovesWhatItHasWritten) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const CommandResult result = InterruptCorvo(
       {"synth", "room", "--width", "64", "--frames", "100000", "-o", folder / "room"},
       folder / "room/rgb/0.000000000.png", SIGINT);

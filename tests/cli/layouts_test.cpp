@@ -35,7 +35,7 @@ class Layouts : public testing::Test {
     for (const std::string& name : names) WriteImage(folder_ / subfolder / name, TinyImage(1));
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Layouts, TimesInNamesAreUsedUnlessAFrameRateIsGiven) {

@@ -7,6 +7,7 @@
 #include "orb/pattern_file.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -31,7 +32,7 @@ class Learn : public testing::Test {
     return RunCorvo(arguments);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   const fs::path images_ = folder_ / "images";
   const fs::path pattern_ = folder_ / "pattern.inc";
 };

@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo {
 namespace {
 
-using test::TempFolder;
+using test::TemporaryFolder;
 using test::WriteText;
 
 /// Returns a manifest that lists one file of this name.
@@ -24,7 +24,7 @@ TEST(Crc32, IsThatOfTheStandard) {
 }
 
 TEST(Manifest, IsReadAsItWasWritten) {
-  TempFolder folder;
+  TemporaryFolder folder;
   Manifest manifest{false, {{"a.txt", 3, 7}, {"100% gr\xfcn \xc3\xa4.png", 1u << 31, 0xCBF43926U}}};
   WriteText(folder / "manifest.json", ToText(manifest));
   const auto read = ReadManifest(folder / "manifest.json");
@@ -34,7 +34,7 @@ TEST(Manifest, IsReadAsItWasWritten) {
 }
 
 TEST(Manifest, OfAnotherProgramOrCutOffIsNone) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const auto read = [&](const std::string& text) {
     WriteText(folder / "manifest.json", text);
     return ReadManifest(folder / "manifest.json").has_value();
@@ -47,7 +47,7 @@ TEST(Manifest, OfAnotherProgramOrCutOffIsNone) {
 }
 
 TEST(Manifest, ListsNoFileOutsideOfItsFolder) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"../a.txt", "/etc/passwd", "sub/a.txt", "..", "%2Fetc", ""}) {
     WriteText(folder / "manifest.json", ManifestOf(name));
     EXPECT_FALSE(ReadManifest(folder / "manifest.json")) << name;
@@ -55,7 +55,7 @@ TEST(Manifest, ListsNoFileOutsideOfItsFolder) {
 }
 
 TEST(Manifest, TellsAChangedFile) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "a.txt", "abc");
   const ManifestFile file = Describe(folder / "a.txt");
   EXPECT_EQ(file, (ManifestFile{"a.txt", 3, Crc32("abc")}));

@@ -11,6 +11,7 @@
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/data/data_path.h"
+#include "tests/support/data.h"
 #include "vo/io/config.h"
 
 namespace corvo::test {
@@ -40,7 +41,7 @@ class NamedCamera : public testing::Test {
     return RunCorvo({"run", images_, "--camera", camera, "-o", folder_ / "result"});
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   const fs::path images_ = folder_ / "images";
   RunArguments arguments_;
 };
@@ -134,14 +135,14 @@ TEST_F(NamedCamera, OfSyntheticImagesNeedsASize) {
 }
 
 TEST(Datasets, ShipCalibrationsInAnyForm) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteKitti(folder.path(), 2);
   WriteText(folder / "calib.txt",
             "P0: 80 0 47 0 0 81 31 0 0 0 1 0\nP2: 90 0 47 0 0 91 31 0 0 0 1 0\n");
   EXPECT_EQ(ListImages(folder.path()).camera->fx, 80);
   fs::rename(folder / "image_0", folder / "image_2");
   EXPECT_EQ(ListImages(folder.path()).camera->fx, 90);
-  const TempFolder euroc;
+  const TemporaryFolder euroc;
   WriteEuroc(euroc / "mav0", 2);
   WriteText(euroc / "mav0/cam0/sensor.yaml",
             "%YAML:1.0\nCamera.fx: 80\nCamera.fy: 81\nCamera.cx: 47\nCamera.cy: 31\n");
@@ -151,7 +152,7 @@ TEST(Datasets, ShipCalibrationsInAnyForm) {
 }
 
 TEST(Datasets, OfKittiRawHaveTheCameraOfTheFolderAndImageSize) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const fs::path images = folder / "2011_09_26/drive_0001_sync/image_02";
   WriteText(images / "timestamps.txt", "2011-09-26 13:02:25.9\n2011-09-26 13:02:26.0\n");
   for (const int i : {0, 1}) WriteImage(images / "data" / fmt::format("{}.png", i), TinyImage(i));
@@ -174,7 +175,7 @@ TEST(Datasets, OfKittiRawHaveTheCameraOfTheFolderAndImageSize) {
 }
 
 /// Writes a sequence whose calibration is malformed, in a layout of which corvo reads one.
-fs::path WriteUncalibrated(const std::string& layout, const TempFolder& folder) {
+fs::path WriteUncalibrated(const std::string& layout, const TemporaryFolder& folder) {
   if (layout == "kitti") {
     WriteKitti(folder.path(), 2);
     WriteText(folder / "calib.txt", "P0: 80 0 47.5 0 0 eighty 31.5 0 0 0 1 0\n");
@@ -208,7 +209,7 @@ class MalformedCalibration : public testing::TestWithParam<std::pair<const char*
     arguments_.output = folder_ / "result";
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   RunArguments arguments_;
 };
 
@@ -238,14 +239,14 @@ INSTANTIATE_TEST_SUITE_P(OfLayout, MalformedCalibration,
                                          std::pair("tum-mono", "camera.txt")));
 
 TEST(Datasets, MalformedCalibrationIsNotReadForACalibrationFromTheImages) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const CommandResult result =
       RunCorvo({"calibrate", WriteUncalibrated("kitti", folder), "-o", folder / "found.yaml"});
   EXPECT_EQ(result.exit_code, kNotCalibrated) << result.err;
 }
 
 TEST(Datasets, OfTheRightTumViCameraHaveItsCalibration) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteEuroc(folder / "mav0", 2);
   fs::rename(folder / "mav0/cam0", folder / "mav0/cam1");
   fs::remove(folder / "mav0/cam1/sensor.yaml");

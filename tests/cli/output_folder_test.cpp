@@ -11,7 +11,8 @@
 
 #include "apps/output/durable_file.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::ErrorOf;
 using test::ReadText;
-using test::TempFolder;
+using test::TemporaryFolder;
 using test::WriteText;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -80,7 +81,7 @@ void KillWhile(const std::function<void()>& action, useconds_t delay_us) {
 }
 
 TEST(OutputFolder, PutsFilesInPlaceOnCommitOnly) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const fs::path out = folder / "a/b";
   OutputFolder output(out, PlanOf({"x.txt"}));
   output.Write("x.txt", "new");
@@ -91,7 +92,7 @@ TEST(OutputFolder, PutsFilesInPlaceOnCommitOnly) {
 }
 
 TEST(OutputFolder, KeepsEarlierResultsWithoutCommit) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"x.txt"}, "old");
   const auto before = FilesOf(folder.path());
   {
@@ -102,13 +103,13 @@ TEST(OutputFolder, KeepsEarlierResultsWithoutCommit) {
 }
 
 TEST(OutputFolder, RemovesTheFolderItCreatedWithoutCommit) {
-  TempFolder folder;
+  TemporaryFolder folder;
   { OutputFolder output(folder / "new", PlanOf({})); }
   EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
 TEST(OutputFolder, RejectsForeignFilesInTheWayAndTouchesNothing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"x.txt", "part_7.txt", "manifest.json", "other.txt", "part_x.txt"}) {
     WriteText(folder / name, "mine");
   }
@@ -130,7 +131,7 @@ TEST(OutputFolder, RejectsForeignFilesInTheWayAndTouchesNothing) {
 }
 
 TEST(OutputFolder, RejectsAFileThatWasChangedSince) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"x.txt", "y.txt"}, "old");
   WriteText(folder / "y.txt", "OLD");
   EXPECT_THAT(ErrorOf([&] {
@@ -141,14 +142,14 @@ TEST(OutputFolder, RejectsAFileThatWasChangedSince) {
 }
 
 TEST(OutputFolder, NeverReplacesAFolder) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "x.txt/mine", "");
   EXPECT_THAT(ErrorOf([&] { OutputFolder output(folder.path(), Forced(PlanOf({"x.txt"}))); }),
               HasSubstr("x.txt"));
 }
 
 TEST(OutputFolder, RemovesFilesOfAnEarlierRunThatAreNotWrittenAgain) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"x.txt", "image.png"}, "old");
   WriteText(folder / "users.txt", "kept");
   {
@@ -160,7 +161,7 @@ TEST(OutputFolder, RemovesFilesOfAnEarlierRunThatAreNotWrittenAgain) {
 }
 
 TEST(OutputFolder, KeepsTheResultOfAnotherCommand) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"a.csv"}, "of another command");
   WriteResult(folder.path(), {"x.txt"}, "new");
   EXPECT_EQ(ReadText(folder / "a.csv"), "of another command");
@@ -169,7 +170,7 @@ TEST(OutputFolder, KeepsTheResultOfAnotherCommand) {
 }
 
 TEST(OutputFolder, RejectsAFileThatAppearsBeforeTheCommit) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"x.txt"}, "old");
   OutputFolder output(folder.path(), PlanOf({"x.txt", "y.txt"}));
   output.Write("x.txt", "new");
@@ -184,7 +185,7 @@ TEST(OutputFolder, RejectsAFileThatAppearsBeforeTheCommit) {
 
 /// The target of the last file is a folder, so that its move fails after those of the others.
 TEST(MoveIn, RestoresTheEarlierResultIfAFileCannotBeMoved) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"a.txt", "stale.txt"}, "old");
   const auto before = FilesOf(folder.path());
   const ResultPlaces places{folder.path(), folder / "work/new", folder / "work/old", kManifestName};
@@ -204,7 +205,7 @@ TEST(MoveIn, RestoresTheEarlierResultIfAFileCannotBeMoved) {
 }
 
 TEST(MoveIn, RejectsFilesWithoutAManifestAndTouchesNothing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"a.txt"}, "old");
   const auto before = FilesOf(folder.path());
   const ResultPlaces places{folder.path(), folder / "work/new", folder / "work/old", kManifestName};
@@ -216,7 +217,7 @@ TEST(MoveIn, RejectsFilesWithoutAManifestAndTouchesNothing) {
 }
 
 TEST(OutputFolder, AfterAKillHoldsOneWholeResult) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const std::vector<std::string> names = {"1.txt", "2.txt", "3.txt", "4.txt"};
   for (int i = 0; i < 40; ++i) {
     KillWhile(
@@ -245,7 +246,7 @@ TEST(OutputFolder, AfterAKillHoldsOneWholeResult) {
 }
 
 TEST(OutputFolder, AfterAKillHoldsAWholeCheckpoint) {
-  TempFolder folder;
+  TemporaryFolder folder;
   int num_found = 0;
   for (int i = 0; i < 40; ++i) {
     KillWhile(
@@ -274,7 +275,7 @@ TEST(OutputFolder, AfterAKillHoldsAWholeCheckpoint) {
 }
 
 TEST(OutputFolder, CommitRemovesTheCheckpoint) {
-  TempFolder folder;
+  TemporaryFolder folder;
   OutputFolder output(folder.path(), PlanOf({"x.txt"}));
   WriteFile(output.StageCheckpoint("x.txt"), "part");
   output.SaveCheckpoint();
@@ -286,7 +287,7 @@ TEST(OutputFolder, CommitRemovesTheCheckpoint) {
 }
 
 TEST(OutputFolder, RejectsAForeignFolderInPlaceOfTheCheckpoint) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "checkpoint/weights.bin", "mine");
   EXPECT_THAT(ErrorOf([&] { OutputFolder output(folder.path(), PlanOf({"x.txt"})); }),
               HasSubstr(": checkpoint: not written by"));
@@ -294,7 +295,7 @@ TEST(OutputFolder, RejectsAForeignFolderInPlaceOfTheCheckpoint) {
 }
 
 TEST(OutputFolder, TellsASecondWriterAtOnce) {
-  TempFolder folder;
+  TemporaryFolder folder;
   {
     OutputFolder first(folder.path(), PlanOf({"x.txt"}));
     EXPECT_THAT(ErrorOf([&] { OutputFolder second(folder.path(), PlanOf({"x.txt"})); }),
@@ -307,7 +308,7 @@ TEST(OutputFolder, TellsASecondWriterAtOnce) {
 }
 
 TEST(OutputFolder, MakesAFolderThatWasRemovedMeanwhile) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const fs::path out = folder / "out";
   OutputFolder output(out, PlanOf({"x.txt"}));
   fs::remove_all(out);
@@ -318,7 +319,7 @@ TEST(OutputFolder, MakesAFolderThatWasRemovedMeanwhile) {
 
 /// The limit of the size of files is a stand-in for a full disk: both make write() fail.
 TEST(OutputFolder, ReportsAFileThatCannotBeWrittenInFull) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteResult(folder.path(), {"x.txt"}, "old");
   OutputFolder output(folder.path(), PlanOf({"x.txt"}));
   rlimit limit{};
@@ -334,7 +335,7 @@ TEST(OutputFolder, ReportsAFileThatCannotBeWrittenInFull) {
 }
 
 TEST(OutputFolder, RejectsAFileAsFolder) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteText(folder / "file", "");
   EXPECT_THAT(ErrorOf([&] { OutputFolder output(folder / "file", PlanOf({})); }),
               HasSubstr("the output folder is a file"));
@@ -343,7 +344,7 @@ TEST(OutputFolder, RejectsAFileAsFolder) {
 }
 
 TEST(PlanOfFile, ReplacesOnlyWhatItWrote) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const fs::path file = folder / "camera.yaml";
   const auto write = [&](bool force) {
     OutputFolder output(folder.path(), PlanOfFile(file, {"camera.png"}, force));

@@ -61,7 +61,7 @@ double FirstVertex(const fs::path& ply) { return ReadMapPly(ply).front().in_worl
 class Pipeline : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::make_unique<TempFolder>();
+    folder_ = std::make_unique<TemporaryFolder>();
     const CommandResult result = RunCorvo(
         {"synth", "street", "-o", *folder_ / "street", "--frames", "40", "--width", "465"});
     ASSERT_EQ(result.exit_code, kDone) << result.err;
@@ -98,10 +98,10 @@ class Pipeline : public testing::Test {
     return fs::exists(SourceDir() / ".venv") && RunPython({"-c", "import " + name}).exit_code == 0;
   }
 
-  static std::unique_ptr<TempFolder> folder_;
+  static std::unique_ptr<TemporaryFolder> folder_;
 };
 
-std::unique_ptr<TempFolder> Pipeline::folder_;
+std::unique_ptr<TemporaryFolder> Pipeline::folder_;
 
 TEST_F(Pipeline, TracksEveryFrameOfAStreet) {
   EXPECT_EQ(CountPoses(Result() / "trajectory.tum"), kFrames);
@@ -435,7 +435,7 @@ TEST_F(Pipeline, SixteenBitImagesAreExportedAsTheRunSawThem) {
   };
   // 12 bits; the range of a thermal camera.
   for (const auto& [offset, scale, extension] : {Stored{0, 16, ".png"}, Stored{7000, 6, ".pgm"}}) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     cv::Mat stored;
     for (int i = 0; i < 20; ++i) {
       const fs::path original = ListImages(Street()).images[i].file;
@@ -470,7 +470,7 @@ TEST_F(Pipeline, SixteenBitImagesAreExportedAsTheRunSawThem) {
 }
 
 TEST_F(Pipeline, GrayLevelsOutOfRangeInASummaryAreAnError) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   fs::copy(Result(), folder / "result", fs::copy_options::recursive);
   const auto error_of = [&](const std::string& levels) {
     auto summary = nlohmann::json::parse(ReadText(Result() / "summary.json"));

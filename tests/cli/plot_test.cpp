@@ -10,7 +10,8 @@
 #include "apps/output/plot_format.h"
 #include "apps/output/vertical_axis.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo {
 namespace {
@@ -179,7 +180,7 @@ TEST(PlotScript, QuotesTitles) {
 class DrawTrajectoryAs : public testing::TestWithParam<const char*> {};
 
 TEST_P(DrawTrajectoryAs, OutputIsWholeAndReproducible) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   const TrajectoryPlot plot = PlotOf({kForward, kUpwards}, kForward);
   const std::string a = std::string("a") + GetParam(), b = std::string("b") + GetParam();
   ASSERT_TRUE(DrawTrajectory(plot, folder / a));
@@ -195,7 +196,7 @@ TEST_P(DrawTrajectoryAs, OutputIsWholeAndReproducible) {
 }
 
 TEST_P(DrawTrajectoryAs, DrawsTrajectoriesOfNoneOrOnePose) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   EXPECT_TRUE(DrawTrajectory({}, folder / (std::string("none") + GetParam())));
   EXPECT_TRUE(
       DrawTrajectory(PlotOf({{PoseAt(0, 0, 0, 0)}}), folder / (std::string("one") + GetParam())));
@@ -205,13 +206,13 @@ INSTANTIATE_TEST_SUITE_P(Formats, DrawTrajectoryAs, testing::Values(".png", ".pd
                          [](const auto& format) { return std::string(format.param + 1); });
 
 TEST(DrawTrajectory, LeavesNoFileOnFailure) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   EXPECT_FALSE(DrawTrajectory(PlotOf({kForward}), folder / "no/such/folder/a.png"));
   EXPECT_FALSE(std::filesystem::exists(folder / "no"));
 }
 
 TEST(PlotFile, MustHaveTheExtensionOfAFormat) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   for (const char* name : {"a.eps", "a", "pdf"}) {
     EXPECT_THAT(test::ErrorOf([&] { PlotFile(folder / name, false); }),
                 AllOf(StartsWith("--plot: "), EndsWith("allowed is .png, .pdf or .svg")));
@@ -220,7 +221,7 @@ TEST(PlotFile, MustHaveTheExtensionOfAFormat) {
 }
 
 TEST(PlotFile, ReplacesOnlyItsOwnAndNoCompleteOneByAnother) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "a.svg";
   PlotFile(file, false).Draw(PlotOf({kForward}), false);
   PlotFile(file, false).Draw(PlotOf({kUpwards}));

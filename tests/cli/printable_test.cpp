@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 namespace {
@@ -32,7 +32,7 @@ TEST(Printable, EscapesControlCharactersAndMalformedBytes) {
 }
 
 TEST(Messages, EscapeFileNamesAndEntriesOfLists) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const std::string name = "evil\x1b[2J\nname";
   const std::vector<std::vector<std::string>> commands = {
       {"config", folder / name},

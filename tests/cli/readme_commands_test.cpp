@@ -10,6 +10,7 @@
 #include "apps/output/manifest.h"
 #include "tests/cli/example_folder.h"
 #include "tests/data/data_path.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {

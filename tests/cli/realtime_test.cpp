@@ -19,8 +19,9 @@
 #include "apps/run/realtime_images.h"
 #include "orb/error.h"
 #include "tests/cli/command.h"
-#include "tests/cli/temp_folder.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo {
 namespace {
@@ -161,7 +162,7 @@ TEST(OpenCamera, FailsWithoutACameraOrAnyImage) {
 }
 
 TEST(Realtime, ARunAccountsForEveryImage) {
-  const test::TempFolder folder;
+  const test::TemporaryFolder folder;
   test::WriteKitti(folder.path() / "sequence", 5);
   const auto result = folder.path() / "result";
   const auto run = test::RunCorvo(

@@ -58,7 +58,7 @@ TEST(RosImage, WithImpossibleFieldsIsAnError) {
 }
 
 TEST(RosBag, IsReadByThePythonPackage) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const char* file : {"a.bag", "a.mcap", "a.db3", "ros2/metadata.yaml"}) {
     WriteText(folder / file, "rosbag2_bagfile_information:\n  version: 8\n");
   }

@@ -74,7 +74,7 @@ class Run : public testing::Test {
 
   fs::path Checkpoint() const { return result_ / kCheckpointFolder; }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   const fs::path images_ = folder_ / "images";
   const fs::path camera_ = folder_ / "camera.yaml";
   const fs::path result_ = folder_ / "result";
@@ -288,7 +288,7 @@ TEST_F(Run, WarnsIfImagesDoNotDetermineTheFocalLength) {
   const CommandResult run = RunCorvo({"run", images_, "--focal", "auto", "-o", result_});
   EXPECT_EQ(run.exit_code, kNeverInitialized);
   EXPECT_THAT(run.err, HasSubstr("do not determine the focal length (0 image pairs)"));
-  const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
+  const auto summary = nlohmann::json::parse(ReadText(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 68.55, 0.1);  // A field of view of 70 degrees over 96 px.
 }
@@ -307,7 +307,7 @@ TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("focal search: "), HasSubstr("first pass: ")));
   EXPECT_THAT(run.err, HasSubstr("has its images in"));
   EXPECT_EQ(run.err.find("has its images in"), run.err.rfind("has its images in"));
-  const auto summary = nlohmann::json::parse(ReadFile(result_ / "summary.json"));
+  const auto summary = nlohmann::json::parse(ReadText(result_ / "summary.json"));
   EXPECT_EQ(summary["camera_source"], "focal search");
   EXPECT_NEAR(summary["camera"]["fx"], 525, 0.1 * 525);
   EXPECT_NEAR(summary["camera"]["cx"], 319.5, 6.4);  // Within 1% of the image width.
@@ -315,7 +315,7 @@ TEST_F(Run, FindsTheFocalLengthOfImagesWithoutACamera) {
   with_threads.back() = result_ / "again";
   with_threads.insert(with_threads.end(), {"--threads", "2"});
   RunCorvo(with_threads);
-  EXPECT_EQ(ReadFile(result_ / "trajectory.tum"), ReadFile(result_ / "again/trajectory.tum"));
+  EXPECT_EQ(ReadText(result_ / "trajectory.tum"), ReadText(result_ / "again/trajectory.tum"));
 }
 
 TEST_F(Run, RejectsACameraThatCannotBeRight) {
@@ -671,7 +671,7 @@ CommandResult RunKitchen(const fs::path& folder, double focal_px,
 TEST(RunWithTheWrongCamera, WarnsThatTheCalibrationIsImplausible) {
   CORVO_SKIP_IF_SHORT();
   CORVO_REQUIRE_DATA("7scenes/redkitchen");
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto residuals = [&] {
     return nlohmann::json::parse(ReadText(folder / "result/summary.json"))["residuals"];
   };

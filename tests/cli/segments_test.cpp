@@ -10,6 +10,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 #include "tests/vo/two_walls.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
@@ -49,7 +50,7 @@ class FilmWithACut : public testing::Test {
     return nlohmann::json::parse(ReadText(result_ / "summary.json"))["segments"];
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   const fs::path result_ = folder_ / "result";
 };
 

@@ -8,6 +8,7 @@
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/data/data_path.h"
+#include "tests/support/data.h"
 #include "vo/io/config.h"
 
 namespace corvo::test {
@@ -43,7 +44,7 @@ std::string TestName(const testing::TestParamInfo<std::string>& info) {
 class ShippedConfig : public testing::TestWithParam<std::string> {
  protected:
   const fs::path file_ = SourceDir() / "configs" / GetParam();
-  TempFolder folder_;
+  TemporaryFolder folder_;
 };
 
 class ShippedOptions : public ShippedConfig {};

@@ -3,6 +3,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -20,7 +21,7 @@ CommandResult Synth(const std::string& scene, const std::filesystem::path& folde
 }
 
 TEST(Synth, WritesTheParametersOfTheSequence) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const CommandResult result =
       Synth("corridor", folder.path(),
             {"--width", "96", "--noise", "2", "--seed", "7", "--dark", "4,2", "--blur", "0.5,1.5",
@@ -35,7 +36,7 @@ TEST(Synth, WritesTheParametersOfTheSequence) {
 }
 
 TEST(Synth, RendersThroughAnyCamera) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const std::string camera =
       "model: kb4\nwidth: 80\nheight: 60\nfx: 40\nfy: 40\ncx: 39.5\ncy: 29.5\n"
       "k1: 0.01\nk2: 0\nk3: 0\nk4: 0\n";
@@ -47,7 +48,7 @@ TEST(Synth, RendersThroughAnyCamera) {
 }
 
 TEST(Synth, EurocSequencesNeedNoCameraFile) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   ASSERT_EQ(Synth("wall", folder / "wall", {"--width", "96", "--layout", "euroc"}).exit_code, 0);
   const CommandResult run = RunCorvo({"run", folder / "wall/mav0", "-o", folder / "result"});
   EXPECT_EQ(run.exit_code, 2) << run.err;  // Two frames yield no pose.
@@ -55,7 +56,7 @@ TEST(Synth, EurocSequencesNeedNoCameraFile) {
 
 TEST(Synth, LeavesTheUsersFilesBetweenItsImages) {
   for (const std::string layout : {"tum", "kitti", "euroc"}) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::vector<std::string> options = {"--width", "64", "--layout", layout};
     ASSERT_EQ(Synth("wall", folder.path(), options).exit_code, 0);
     EXPECT_EQ(Synth("wall", folder.path(), options).exit_code, 0);
@@ -75,7 +76,7 @@ TEST(Synth, LeavesTheUsersFilesBetweenItsImages) {
 }
 
 TEST(Synth, ErrorsNameValuesOutOfRange) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const auto& [option, value, message] : {std::tuple{"--drift", "9", "--drift: 9"},
                                                {"--moving", "1", "--moving: 1"},
                                                {"--dark", "-1,2", "--dark: -1"},

@@ -33,7 +33,7 @@ class ListsOfImages : public testing::Test {
     return ListImages(tum_);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   fs::path tum_ = folder_ / "tum";
   std::string time_ = "1305031102.175304";
   std::string file_ = "rgb/1305031102.175304.png";
@@ -127,7 +127,7 @@ class EvaluatedTexts : public testing::Test {
     return RunCorvo(arguments);
   }
 
-  TempFolder folder_;
+  TemporaryFolder folder_;
   fs::path truth_ = folder_ / "truth.txt";
   fs::path estimate_ = folder_ / "estimate.txt";
 };
@@ -198,7 +198,7 @@ TEST_F(EvaluatedTexts, GiveNoNumbersThatAreNone) {
 }
 
 TEST(Videos, ThatCannotBeDecodedAreOneLineWithTheFilesName) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder / "cut.mp4", std::string("\0\0\0\x18"
                                             "ftypmp42\0\0\0\0mp42isom",
                                             24) +

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 

@@ -10,7 +10,8 @@
 #include "apps/output/film.h"
 #include "apps/output/frame_drawing.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 
 namespace corvo {
 namespace {
@@ -175,7 +176,7 @@ TEST(PathInset, BeginsAnewWithASegment) {
 }
 
 TEST(TrackDrawings, AreNumberedLikeTheFrames) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   TrackDrawings images(folder / "a/b");
   FrameResult result;
   result.index = 42;
@@ -189,7 +190,7 @@ TEST(TrackDrawings, AreNumberedLikeTheFrames) {
 
 TEST(TrackDrawings, RequireAFolder) {
   TrackDrawings("").Add(kImage, cv::Mat(), TwoKeypoints(), {});
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   test::WriteText(folder / "file", "");
   EXPECT_THAT(test::ErrorOf([&] { TrackDrawings images(folder / "file"); }),
               testing::HasSubstr("file: cannot be created"));
@@ -241,7 +242,7 @@ int CountImages(const fs::path& file) {
 class FilmOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(FilmOf, HasEveryFrameAtTheirRate) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   const fs::path file = folder / (std::string("film") + GetParam());
   for (const int num_frames : {20, 5}) {
     DrawFilm(file, num_frames, true);
@@ -255,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, FilmOf, testing::Values(".mp4", ".mov", ".mkv"
                          [](const auto& format) { return std::string(format.param + 1); });
 
 TEST(Film, OfAnIncompleteRunDoesNotReplaceThatOfACompleteOne) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   const fs::path file = folder / "film.mp4";
   DrawFilm(file, 3, false);
   EXPECT_EQ(CountImages(file), 3);
@@ -265,7 +266,7 @@ TEST(Film, OfAnIncompleteRunDoesNotReplaceThatOfACompleteOne) {
 }
 
 TEST(Film, ReplacesOnlyFilesOfCorvo) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   test::WriteText(folder / "film.mp4", "mine");
   EXPECT_THAT(test::ErrorOf([&] { TrackDrawings drawings(folder / "film.mp4"); }),
               HasSubstr("film.mp4: not written by an earlier corvo"));
@@ -273,7 +274,7 @@ TEST(Film, ReplacesOnlyFilesOfCorvo) {
 }
 
 TEST(Film, WithoutFramesIsNotWritten) {
-  test::TempFolder folder;
+  test::TemporaryFolder folder;
   DrawFilm(folder / "film.mp4", 0, true);
   EXPECT_TRUE(fs::is_empty(folder / "."));
 }

@@ -9,6 +9,7 @@
 #include "orb/error.h"
 #include "tests/cli/command.h"
 #include "tests/cli/tiny_sequence.h"
+#include "tests/support/data.h"
 
 namespace corvo::test {
 namespace {
@@ -54,7 +55,7 @@ std::vector<TimedImage> ReadAll(ImageSource& source) {
 }
 
 TEST(DamagedVideo, ThatIsCutOffIsToldInTheSummary) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteMotionJpeg(folder / "whole.avi");
   const std::string whole = ReadText(folder / "whole.avi");
   WriteText(folder / "cut.avi", whole.substr(0, whole.size() * 6 / 10));
@@ -75,7 +76,7 @@ TEST(DamagedVideo, ThatIsCutOffIsToldInTheSummary) {
 }
 
 TEST(DamagedVideo, IsReadOnBehindTheDamage) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteMpeg4(folder / "drive.mp4");
   std::string bytes = ReadText(folder / "drive.mp4");
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() * 4 / 10), bytes.size() / 5,
@@ -114,7 +115,7 @@ void WriteSizes(const fs::path& file, const std::vector<cv::Size>& sizes) {
 }
 
 TEST(DamagedVideo, ImagesOfAnotherSizeAreMissing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   const cv::Size first(kTinyWidth, kTinyHeight);
   WriteSizes(folder / "a.mjpeg", {first, first, {64, 48}, {128, 96}, first, {64, 64}});
   ImageSource source = Open(folder / "a.mjpeg");
@@ -153,7 +154,7 @@ int WhiteCorner(const cv::Mat& image) {
 
 TEST(Video, IsTurnedUprightAsThePhoneSays) {
   for (const int clockwise_deg : {90, 180, 270}) {
-    TempFolder folder;
+    TemporaryFolder folder;
     WriteMpeg4(folder / "phone.mp4");
     SetRotation(folder / "phone.mp4", clockwise_deg);
     const cv::Mat image = Open(folder / "phone.mp4").First().image;
@@ -185,7 +186,7 @@ int CountRejected(const std::string& whole, const fs::path& file) {
 }
 
 TEST(DamagedImage, IsNotUsed) {
-  TempFolder folder;
+  TemporaryFolder folder;
   for (const char* name : {"a.jpg", "a.png"}) {
     WriteImage(folder / name, SmoothImage(1, 320, 240));
     // Some damage of a JPEG decodes without a complaint.
@@ -194,7 +195,7 @@ TEST(DamagedImage, IsNotUsed) {
 }
 
 TEST(DamagedImage, FewBytesBeforeAMarkerDamageNothing) {
-  TempFolder folder;
+  TemporaryFolder folder;
   WriteImage(folder / "a.jpg", SmoothImage(1, 320, 240));
   std::string bytes = ReadText(folder / "a.jpg");
   bytes.insert(bytes.size() - 2, 2, '\0');

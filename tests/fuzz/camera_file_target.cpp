@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/dataset/camera_formats/calibration_file.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/targets.h"
 #include "vo/io/config.h"
 

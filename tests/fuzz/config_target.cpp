@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/targets.h"
 #include "vo/io/config.h"
 

@@ -6,7 +6,7 @@
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/image_layouts.h"
 #include "apps/dataset/image_source.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/data/temporary_folder.h"
 #include "tests/fuzz/targets.h"
 
 namespace corvo::fuzz {
@@ -39,7 +39,7 @@ constexpr std::array<std::string_view, 23> kTextFiles = {
     "drive/oxts/data/0.txt",
 };
 
-void WriteImages(const ScratchFolder& folder) {
+void WriteImages(const test::TemporaryFolder& folder) {
   for (const char* name :
        {"image_0/000000.png", "image_0/000001.png", "images/00000.jpg", "images/00001.jpg",
         "rgb/1.png", "rgb/2.png", "mav0/cam0/data/1.png", "mav0/cam0/data/2.png",
@@ -50,7 +50,7 @@ void WriteImages(const ScratchFolder& folder) {
 
 /// Writes a text in which a line "@@ NAME" precedes the contents of each file. Other names than
 /// those of kTextFiles are left out: nothing is written outside the folder.
-void WriteFiles(std::string_view text, const ScratchFolder& folder) {
+void WriteFiles(std::string_view text, const test::TemporaryFolder& folder) {
   constexpr std::string_view kMark = "@@ ";
   while (!text.empty()) {
     const std::size_t next = text.find("\n@@ ");
@@ -81,7 +81,7 @@ void ReadTruth(const std::filesystem::path& file) {
 }  // namespace
 
 void FuzzDataset(Bytes bytes) {
-  static const ScratchFolder folder;
+  static const test::TemporaryFolder folder;
   folder.Clear();
   WriteImages(folder);
   WriteFiles(Input(bytes).Text(), folder);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "orb/lsh_index.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/targets.h"
 
 namespace corvo::fuzz {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "orb/pattern_file.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/targets.h"
 
 namespace corvo::fuzz {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/dataset/pose_file.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/targets.h"
 #include "vo/io/trajectory_io.h"
 

@@ -192,12 +192,12 @@ class LshIndexFileTest : public testing::Test {
   /// Returns the contents of the file that an index of `count` descriptors writes.
   std::string Written(int count) const {
     LshIndex(DependentBits(count, 13)).Save(file());
-    return test::ReadFile(file());
+    return test::ReadText(file());
   }
 
   LshIndex Load(const std::string& text) const { return LshIndex::Load(dir_.Write("x", text)); }
 
-  test::TemporaryDir dir_;
+  test::TemporaryFolder dir_;
 };
 
 TEST_F(LshIndexFileTest, LoadedIndexEqualsTheSavedOne) {
@@ -216,9 +216,9 @@ TEST_F(LshIndexFileTest, LoadedIndexEqualsTheSavedOne) {
       const Descriptor query = FlipBits(descriptors[random.UniformInt(0, 29999)], 40, random);
       ASSERT_EQ(loaded.FindNearest(query, 3), index.FindNearest(query, 3));
     }
-    const std::string first = test::ReadFile(file());
+    const std::string first = test::ReadText(file());
     loaded.Save(file());
-    EXPECT_EQ(test::ReadFile(file()), first);
+    EXPECT_EQ(test::ReadText(file()), first);
   }
 }
 

@@ -31,7 +31,7 @@ class PatternFileTest : public ::testing::Test {
     return text;
   }
 
-  test::TemporaryDir dir_;
+  test::TemporaryFolder dir_;
 };
 
 TEST_F(PatternFileTest, WrittenPatternsReadBackTheSame) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/data/data_path.h"
+#include "tests/data/temporary_folder.h"
 
 namespace corvo::test {
 
@@ -17,25 +18,8 @@ bool DataIsRequired();
 /// and their accuracy is not judged.
 bool IsShortRun();
 
-/// An empty folder for one test's files, removed with the object.
-class TemporaryDir {
- public:
-  TemporaryDir();
-  ~TemporaryDir();
-  TemporaryDir(const TemporaryDir&) = delete;
-  TemporaryDir& operator=(const TemporaryDir&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  /// Writes a file into the folder and returns its path.
-  std::filesystem::path Write(const std::string& name, const std::string& text) const;
-
- private:
-  std::filesystem::path path_;
-};
-
 /// Returns the contents of a file. Fails the test if it cannot be read.
-std::string ReadFile(const std::filesystem::path& path);
+std::string ReadText(const std::filesystem::path& path);
 
 }  // namespace corvo::test
 

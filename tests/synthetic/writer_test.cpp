@@ -11,7 +11,8 @@
 #include "apps/dataset/ground_truth.h"
 #include "apps/dataset/image_source.h"
 #include "tests/cli/expect_error.h"
-#include "tests/cli/temp_folder.h"
+#include "tests/data/temporary_folder.h"
+#include "tests/support/data.h"
 #include "tests/support/matchers.h"
 #include "vo/io/config.h"
 #include "vo/io/trajectory_io.h"
@@ -23,7 +24,7 @@ using test::ErrorOf;
 using test::IsMatrixNear;
 using test::IsPoseNear;
 using test::ReadText;
-using test::TempFolder;
+using test::TemporaryFolder;
 using test::WriteText;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -45,7 +46,7 @@ void ExpectSameImages(const ImageList& list, const Sequence& sequence) {
 }
 
 TEST(WriteSequence, TumLayoutIsReadBack) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder / "new", Layout::kTum);
   const ImageList list = ListImages(folder / "new");
@@ -54,7 +55,7 @@ TEST(WriteSequence, TumLayoutIsReadBack) {
 }
 
 TEST(WriteSequence, KittiLayoutIsReadBack) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kKitti);
   const ImageList list = ListImages(folder / "sequences/00");
@@ -67,7 +68,7 @@ TEST(WriteSequence, EurocLayoutIsReadBack) {
   SequenceOptions options;
   options.frames = 3;
   for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kKb4}) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     options.camera = ShortWall().camera().parameters();
     options.camera->model = model;
     options.camera->k1 = -0.2;
@@ -82,7 +83,7 @@ TEST(WriteSequence, EurocLayoutIsReadBack) {
 }
 
 TEST(WriteSequence, EurocGroundTruthIsOfTheBodyAndConvertsBackToTheCamera) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kEuroc);
   const auto file = FindGroundTruth(folder / "mav0");
@@ -98,7 +99,7 @@ TEST(WriteSequence, EurocGroundTruthIsOfTheBodyAndConvertsBackToTheCamera) {
 }
 
 TEST(WriteSequence, RejectsCamerasThatTheLayoutCannotDescribe) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   SequenceOptions options;
   options.frames = 1;
   options.camera = ShortWall().camera().parameters();
@@ -118,7 +119,7 @@ TEST(WriteSequence, RejectsCamerasThatTheLayoutCannotDescribe) {
 }
 
 TEST(WriteSequence, TumGroundTruthIsExact) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kTum);
   std::istringstream truth(ReadText(folder / "groundtruth.txt"));
@@ -134,7 +135,7 @@ TEST(WriteSequence, TumGroundTruthIsExact) {
 }
 
 TEST(WriteSequence, KittiGroundTruthIsExact) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Sequence sequence = ShortWall();
   WriteSequence(sequence, folder.path(), Layout::kKitti);
   std::istringstream truth(ReadText(folder / "poses/00.txt"));
@@ -146,7 +147,7 @@ TEST(WriteSequence, KittiGroundTruthIsExact) {
 }
 
 TEST(WriteSequence, WritesTheCameraFile) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteSequence(ShortWall(), folder.path(), Layout::kTum);
   EXPECT_EQ(ReadText(folder / "camera.yaml"),
             "model: pinhole-radtan\nwidth: 128\nheight: 96\nfx: 105\nfy: 105\ncx: 63.5\ncy: 47.5\n"
@@ -154,7 +155,7 @@ TEST(WriteSequence, WritesTheCameraFile) {
 }
 
 TEST(WriteSequence, ReplacesASequenceThatItWrote) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteSequence(ShortWall(3), folder.path(), Layout::kTum);
   WriteText(folder / "notes.txt", "mine");
   WriteSequence(ShortWall(2), folder.path(), Layout::kTum);
@@ -164,7 +165,7 @@ TEST(WriteSequence, ReplacesASequenceThatItWrote) {
 }
 
 TEST(WriteSequence, RefusesToOverwriteForeignFiles) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder / "groundtruth.txt", "mine");
   EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder.path(), Layout::kTum); }),
               AllOf(HasSubstr(folder.path().string()), HasSubstr("--force")));
@@ -172,7 +173,7 @@ TEST(WriteSequence, RefusesToOverwriteForeignFiles) {
 }
 
 TEST(WriteSequence, OverwritesForeignFilesIfForced) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder / "groundtruth.txt", "mine");
   WriteText(folder / "notes.txt", "mine");
   WriteSequence(ShortWall(), folder.path(), Layout::kTum, true);
@@ -181,14 +182,14 @@ TEST(WriteSequence, OverwritesForeignFilesIfForced) {
 }
 
 TEST(WriteSequence, RejectsATargetThatIsNotAFolder) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   WriteText(folder / "file", "");
   EXPECT_THAT(ErrorOf([&] { WriteSequence(ShortWall(), folder / "file", Layout::kTum); }),
               HasSubstr("is not a folder"));
 }
 
 TEST(WriteSequence, ReportsProgress) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::vector<int> done;
   WriteSequence(ShortWall(), folder.path(), Layout::kTum, false, [&](int n) { done.push_back(n); });
   EXPECT_THAT(done, ::testing::ElementsAre(1, 2, 3));

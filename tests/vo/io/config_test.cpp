@@ -23,7 +23,7 @@ class OptionsFileTest : public ::testing::Test {
     return ReadOptions(dir_.Write("a.yaml", text));
   }
 
-  test::TemporaryDir dir_;
+  test::TemporaryFolder dir_;
 };
 
 TEST_F(OptionsFileTest, OmittedKeysKeepTheirDefaults) {
@@ -149,7 +149,7 @@ TEST_F(OptionsFileTest, FilesThatAreNotMappingsAreErrors) {
 }
 
 TEST(DefaultConfigTest, EqualsTheWrittenDefaults) {
-  EXPECT_EQ(test::ReadFile(test::SourceDir() / "configs" / "default.yaml"), WriteOptions({}))
+  EXPECT_EQ(test::ReadText(test::SourceDir() / "configs" / "default.yaml"), WriteOptions({}))
       << "regenerate configs/default.yaml: corvo config > configs/default.yaml";
 }
 
@@ -164,7 +164,7 @@ class CameraFileTest : public ::testing::Test {
     return ReadCameraFile(dir_.Write("cam.yaml", text));
   }
 
-  test::TemporaryDir dir_;
+  test::TemporaryFolder dir_;
 };
 
 TEST_F(CameraFileTest, DistortionFrameRateAndSourceAreOptional) {

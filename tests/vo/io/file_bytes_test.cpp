@@ -14,7 +14,7 @@ namespace {
 using test::ThrowsError;
 
 TEST(ReadFileBytes, ReturnsFilesUpToTheLimit) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const std::string text("a\0\n\xff", 4);
   EXPECT_EQ(ReadFileBytes(dir.Write("a", text), 4), text);
   EXPECT_EQ(ReadFileBytes(dir.Write("empty", ""), 4), "");
@@ -26,14 +26,14 @@ TEST(ReadFileBytes, ReturnsFilesUpToTheLimit) {
 
 TEST(ReadFileBytes, EndsForEndlessAndSparseFiles) {
   EXPECT_THAT([] { ReadFileBytes("/dev/zero", 1000); }, ThrowsError("/dev/zero: has more than"));
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto sparse = dir.Write("sparse", "");
   std::filesystem::resize_file(sparse, std::uintmax_t{1} << 40);
   EXPECT_THAT([&] { ReadFileBytes(sparse, 1000); }, ThrowsError("sparse: has more than 1000"));
 }
 
 TEST(ReadFileBytes, NamesWhatCannotBeRead) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   EXPECT_THAT([&] { ReadFileBytes(dir.path() / "none", 9); }, ThrowsError("none: cannot be read"));
   EXPECT_THAT([&] { ReadFileBytes(dir.path(), 9); }, ThrowsError("is a folder"));
 }

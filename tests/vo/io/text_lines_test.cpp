@@ -13,7 +13,7 @@ using test::ThrowsError;
 using ::testing::ElementsAre;
 
 TEST(TextLinesTest, SkipsBlankLinesAndCommentsButCountsThem) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto lines = ReadTextLines(dir.Write("a.txt", "# comment\n\n  one 1\r\n\t# more\ntwo"));
   ASSERT_EQ(lines.size(), 2);
   EXPECT_EQ(lines[0].number, 3);
@@ -24,13 +24,13 @@ TEST(TextLinesTest, SkipsBlankLinesAndCommentsButCountsThem) {
 }
 
 TEST(TextLinesTest, NamesTheFileThatCannotBeRead) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   EXPECT_THAT([&] { ReadTextLines(dir.path() / "none.txt"); }, ThrowsError("none.txt"));
   EXPECT_THAT([&] { ReadTextLines(dir.path()); }, ThrowsError(dir.path().string()));
 }
 
 TEST(TextLinesTest, LinesEndWithAnyConventionAndAByteOrderMarkIsSkipped) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto lines = ReadTextLines(dir.Write("a.txt", "\xEF\xBB\xBFone\r\ntwo\rthree\n\rfive"));
   ASSERT_EQ(lines.size(), 4);
   EXPECT_EQ(lines[0].text, "one");
@@ -48,7 +48,7 @@ TEST(TextLinesTest, LinesEndWithAnyConventionAndAByteOrderMarkIsSkipped) {
 }
 
 TEST(TextLinesTest, NumberOfLinesIsLimited) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   std::string text = "# comment\n\n";
   for (std::size_t i = 0; i < kMaxTextLines; ++i) text += "1\n";
   EXPECT_EQ(ReadTextLines(dir.Write("a.txt", text)).size(), kMaxTextLines);
@@ -57,7 +57,7 @@ TEST(TextLinesTest, NumberOfLinesIsLimited) {
 }
 
 TEST(TextLinesTest, TablesMayHaveAHeaderRow) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto lines = ReadTableLines(dir.Write("a.txt", "timestamp tx ty\n1 2 3\n"));
   ASSERT_EQ(lines.size(), 1);
   EXPECT_EQ(lines[0].number, 2);

@@ -29,7 +29,7 @@ PoseSequence RandomPoses() {
 }
 
 TEST(TumTest, ReadsAKnownFile) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto file = dir.Write("a.tum",
                               "# timestamp tx ty tz qx qy qz qw\n"
                               "1.5 1 2 3 0 0 0 1\n\n"
@@ -45,15 +45,15 @@ TEST(TumTest, ReadsAKnownFile) {
 }
 
 TEST(TumTest, WritesTheExpectedText) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   WriteTum(dir.path() / "a.tum", {{1403636579763555584, SE3(SO3(), Eigen::Vector3d(1, -0.5, 0))}});
-  EXPECT_EQ(test::ReadFile(dir.path() / "a.tum"),
+  EXPECT_EQ(test::ReadText(dir.path() / "a.tum"),
             "# timestamp tx ty tz qx qy qz qw\n"
             "1403636579.763555584 1 -0.5 0 0 0 0 1\n");
 }
 
 TEST(TumTest, RoundTripIsExactUpToNormalization) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence poses = RandomPoses();
   WriteTum(dir.path() / "a.tum", poses);
   const PoseSequence back = ReadTum(dir.path() / "a.tum");
@@ -66,10 +66,10 @@ TEST(TumTest, RoundTripIsExactUpToNormalization) {
 }
 
 TEST(TumTest, PartsFollowTheirCommentsAndAreReadAsOneTrajectory) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const TimedPose first{1'000'000'000, SE3()}, second{2'000'000'000, SE3(SO3(), {1, 0, 0})};
   WriteTumParts(dir.path() / "a.tum", {{"part 0", {first}}, {"part 1", {second}}});
-  EXPECT_EQ(test::ReadFile(dir.path() / "a.tum"),
+  EXPECT_EQ(test::ReadText(dir.path() / "a.tum"),
             "# timestamp tx ty tz qx qy qz qw\n"
             "# part 0\n1.000000000 0 0 0 0 0 0 1\n"
             "# part 1\n2.000000000 1 0 0 0 0 0 1\n");
@@ -79,13 +79,13 @@ TEST(TumTest, PartsFollowTheirCommentsAndAreReadAsOneTrajectory) {
 }
 
 TEST(TumTest, EmptyTrajectoryRoundTrips) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   WriteTum(dir.path() / "a.tum", {});
   EXPECT_TRUE(ReadTum(dir.path() / "a.tum").empty());
 }
 
 TEST(TumTest, NormalizesNearlyUnitQuaternionsOnly) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence poses = ReadTum(dir.Write("a.tum", "1 0 0 0 0 0 0 1.009\n"));
   EXPECT_EQ(poses[0].world_from_camera, SE3());
   EXPECT_THAT([&] { ReadTum(dir.Write("b.tum", "1 0 0 0 0 0 0 1.011\n")); },
@@ -95,7 +95,7 @@ TEST(TumTest, NormalizesNearlyUnitQuaternionsOnly) {
 }
 
 TEST(TumTest, ErrorsNameFileLineAndValue) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const std::string good = "# comment\n1 0 0 0 0 0 0 1\n";
   const auto expect_error = [&](const std::string& line, const std::string& message) {
     EXPECT_THAT([&] { ReadTum(dir.Write("a.tum", good + line + "\n")); },
@@ -113,7 +113,7 @@ TEST(TumTest, ErrorsNameFileLineAndValue) {
 }
 
 TEST(TumTest, TextsAsPeopleHaveThemHoldTheSamePoses) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence expected = ReadTum(dir.Write("a.tum", "1403636579.5 1 2 3 0 0 0 1\n"));
   for (const char* text : {"\xEF\xBB\xBF"
                            "1403636579.5 1 2 3 0 0 0 1\n",
@@ -130,7 +130,7 @@ TEST(TumTest, TextsAsPeopleHaveThemHoldTheSamePoses) {
 }
 
 TEST(TumTest, PosesThatNoComputationHoldsAreNeitherReadNorWritten) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   EXPECT_THAT([&] { ReadTum(dir.Write("a.tum", "1 0 0 0 0 0 0 1\n2 0 1e160 0 0 0 0 1\n")); },
               ThrowsError("a.tum:2: ", "y is 1e+160", "-1e+24 to 1e+24"));
   EXPECT_THAT([&] { ReadTum(dir.Write("a.tum", "2 0 0 0 0 0 0 1e160\n")); },
@@ -148,7 +148,7 @@ TEST(TumTest, PosesThatNoComputationHoldsAreNeitherReadNorWritten) {
 }
 
 TEST(KittiTest, RowsMayBeWholeMatrices) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto poses = ReadKittiPoses(dir.Write("a.txt", "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1\n"));
   ASSERT_EQ(poses.size(), 1);
   EXPECT_EQ(poses[0].translation(), Eigen::Vector3d(7, 8, 9));
@@ -157,7 +157,7 @@ TEST(KittiTest, RowsMayBeWholeMatrices) {
 }
 
 TEST(EurocTest, TimesMayHaveExponents) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence poses = ReadEurocPoses(
       dir.Write("a.csv", "time,x,y,z,qw,qx,qy,qz\n1.403636579763555584e+18,1,2,3,1,0,0,0\n"));
   ASSERT_EQ(poses.size(), 1);
@@ -165,23 +165,23 @@ TEST(EurocTest, TimesMayHaveExponents) {
 }
 
 TEST(TumTest, NamesTheFileThatCannotBeWritten) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   EXPECT_THAT([&] { WriteTum(dir.path() / "no_folder" / "a.tum", {}); },
               ThrowsError("no_folder/a.tum", "written"));
 }
 
 TEST(KittiTest, RowsHoldRotationAndTranslation) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto poses = ReadKittiPoses(dir.Write("a.txt", "0 -1 0 10 1 0 0 20 0 0 1 30\n"));
   ASSERT_EQ(poses.size(), 1);
   EXPECT_THAT(poses[0] * Eigen::Vector3d(1, 0, 0),
               IsMatrixNear(Eigen::Vector3d(10, 21, 30), 1e-14));
   WriteKittiPoses(dir.path() / "b.txt", {SE3(SO3(), Eigen::Vector3d(1, 2, 3.5))});
-  EXPECT_EQ(test::ReadFile(dir.path() / "b.txt"), "1 0 0 1 0 1 0 2 0 0 1 3.5\n");
+  EXPECT_EQ(test::ReadText(dir.path() / "b.txt"), "1 0 0 1 0 1 0 2 0 0 1 3.5\n");
 }
 
 TEST(KittiTest, RoundTrips) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   std::vector<SE3> poses;
   for (const TimedPose& pose : RandomPoses()) poses.push_back(pose.world_from_camera);
   WriteKittiPoses(dir.path() / "a.txt", poses);
@@ -192,7 +192,7 @@ TEST(KittiTest, RoundTrips) {
 }
 
 TEST(KittiTest, ErrorsNameFileLineAndValue) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto expect_error = [&](const std::string& line, const std::string& message) {
     EXPECT_THAT([&] { ReadKittiPoses(dir.Write("a.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n" + line)); },
                 ThrowsError("a.txt:2: ", message));
@@ -214,7 +214,7 @@ TEST(KittiTest, NumbersOfTimesAndPosesMustBeEqual) {
 }
 
 TEST(EurocTest, QuaternionsHaveTheirRealPartFirst) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence poses = ReadEurocPoses(
       dir.Write("data.csv", "#timestamp, p_x\n1403636584313555479,1,2,3,0.8,0.6,0,0,9,9\n"));
   ASSERT_EQ(poses.size(), 1);
@@ -226,10 +226,10 @@ TEST(EurocTest, QuaternionsHaveTheirRealPartFirst) {
 }
 
 TEST(EurocTest, RoundTrips) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const PoseSequence poses = RandomPoses();
   WriteEurocPoses(dir.path() / "a.csv", poses);
-  EXPECT_THAT(test::ReadFile(dir.path() / "a.csv"),
+  EXPECT_THAT(test::ReadText(dir.path() / "a.csv"),
               ::testing::StartsWith("#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x []"));
   const PoseSequence back = ReadEurocPoses(dir.path() / "a.csv");
   ASSERT_EQ(back.size(), poses.size());
@@ -240,7 +240,7 @@ TEST(EurocTest, RoundTrips) {
 }
 
 TEST(TumTest, ReadTumWithGapsSkipsNanPoses) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto file = dir.Write("a.txt",
                               "1 0 0 0 0 0 0 1\n2 NaN NaN NaN NaN NaN NaN NaN\n"
                               "3 nan nan nan nan nan nan nan\n4 5 0 0 0 0 0 1\n");

@@ -55,7 +55,7 @@ TEST(ParseYaml, ReadsOneDocument) {
 }
 
 TEST(ReadYaml, RejectsLargeFiles) {
-  const test::TemporaryDir dir;
+  const test::TemporaryFolder dir;
   const auto file = dir.Write("a.yaml", std::string(kMaxYamlBytes + 1, '#'));
   EXPECT_THAT([&] { ReadYaml(file); }, ThrowsError("a.yaml: has more than 1048576 bytes"));
   EXPECT_THAT([] { ReadYaml("/dev/zero"); }, ThrowsError("/dev/zero: has more than 1048576"));
