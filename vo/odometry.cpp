@@ -66,6 +66,11 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   used_mask_ = image_motion_->overlay().Exclude(mask, image.size());
   if (motion.has_overlay_grown) RemoveOverlay();
   Frame frame = ExtractFrame(image, time_ns);
+  KeepFirstFrame(frame);
+  return LocateFrame(std::move(frame));
+}
+
+FrameResult Odometry::LocateFrame(Frame frame) {
   // The results of earlier adjustments are applied here, at a fixed frame, not when they are ready.
   ApplyUpdate(mapper_->Update(frame.index, map_, recorder_, clock_));
   TrackingResult tracking = Track(frame);
@@ -164,9 +169,11 @@ bool Odometry::prior_rejected() const {
 
 MemoryUse Odometry::memory_use() const {
   CheckNotMovedFrom();
-  return {map_.working_set_bytes() + initializer_->num_bytes() + NumBytes(previous_) +
-              mapper_->num_frame_bytes(),
-          map_.keyframe_bytes() + mapper_->num_edge_bytes(), history_->num_bytes()};
+  std::size_t working_set_bytes = map_.working_set_bytes() + initializer_->num_bytes() +
+                                  NumBytes(previous_) + mapper_->num_frame_bytes();
+  for (const Frame& frame : first_frames_) working_set_bytes += NumBytes(frame);
+  return {working_set_bytes, map_.keyframe_bytes() + mapper_->num_edge_bytes(),
+          history_->num_bytes()};
 }
 
 const Frame& Odometry::last_frame() const {
@@ -175,16 +182,28 @@ const Frame& Odometry::last_frame() const {
   return pending != nullptr ? *pending : previous_;
 }
 
+void Odometry::KeepFirstFrame(const Frame& frame) {
+  // An overlay is found within the first moments of a recording. Bounds memory.
+  constexpr int kMaxFrames = 50;
+  if (frame.index < kMaxFrames) return first_frames_.push_back(frame);
+  first_frames_ = {};
+}
+
 void Odometry::RemoveOverlay() {
-  // An overlay is found within the first moments of a recording. A map that was tracked mostly by
-  // it until then has the motion of the overlay, not that of the scene.
-  constexpr int kMaxFrames = 100;
-  const int num_tracked = CountExistingLandmarks(map_, previous_);
   CullMaskedLandmarks(used_mask_, map_);
   RemoveMaskedKeypoints(used_mask_, previous_);
   initializer_->RemoveMasked(used_mask_);
-  const bool has_lost_most = 2 * CountExistingLandmarks(map_, previous_) < num_tracked;
-  if (has_lost_most && history_->size() <= kMaxFrames) Restart(Reason::kStaticOverlay);
+  for (Frame& frame : first_frames_) RemoveMaskedKeypoints(used_mask_, frame);
+  // Until now, the first poses followed the motion of the overlay as well as that of the scene, and
+  // frames waited for a map because it did not move.
+  std::vector<Frame> frames;
+  if (!first_frames_.empty()) {
+    frames = first_frames_;
+    Restart(Reason::kStaticOverlay);
+  } else if (map_.empty()) {
+    frames = initializer_->TakeFrames();
+  }
+  for (Frame& frame : frames) LocateFrame(std::move(frame));
 }
 
 void Odometry::Restart(Reason reason) {
@@ -196,6 +215,7 @@ void Odometry::Restart(Reason reason) {
   restarted.image_motion_ = std::move(image_motion_);
   restarted.recorder_ = recorder_.WithSameCallbacks();
   restarted.used_mask_ = used_mask_;
+  restarted.first_frames_ = std::move(first_frames_);
   *this = std::move(restarted);
 }
 

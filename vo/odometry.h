@@ -125,8 +125,12 @@ class Odometry {
  private:
   /// Throws corvo::Error if the object was moved from.
   void CheckNotMovedFrom() const;
-  /// Removes what has been found to move with the camera from the map and from frames, or restarts
-  /// if the map depends on it.
+  /// Locates the next frame and extends the map with it, or passes it to the initializer.
+  FrameResult LocateFrame(Frame frame);
+  /// Keeps a copy of a frame that may have to be located again, if it is one of the first.
+  void KeepFirstFrame(const Frame& frame);
+  /// Removes what has been found to move with the camera from the map and from frames. Frames that
+  /// wait for a map, or whose poses depended on it, are located again.
   void RemoveOverlay();
   /// Discards all poses and the map. Initialization begins anew.
   void Restart(Reason reason);
@@ -169,8 +173,9 @@ class Odometry {
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;
-  int segment_ = kNoId;  // kNoId until a pose or rotation is known.
-  Frame previous_;       // The last posed frame.
+  int segment_ = kNoId;              // kNoId until a pose or rotation is known.
+  Frame previous_;                   // The last posed frame.
+  std::vector<Frame> first_frames_;  // As extracted; see KeepFirstFrame().
   cv::Mat used_mask_;
   StageClock clock_;
 };

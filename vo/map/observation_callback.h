@@ -13,9 +13,10 @@
 namespace corvo {
 
 /// The observations of a frame, for a later adjustment of the sequence, since the map does not keep
-/// them. Each posed frame is reported once, when it is posed. A keyframe is reported again when it
-/// is marginalized, with the current positions of the landmarks that it observes. Before that, it
-/// is reported with those of its landmarks that are marginalized together with another keyframe.
+/// them. Each posed frame is reported when it is posed, which is once unless the map is discarded.
+/// A keyframe is reported again when it is marginalized, with the current positions of the
+/// landmarks that it observes. Before that, it is reported with those of its landmarks that are
+/// marginalized together with another keyframe.
 struct FrameObservations {
   int frame = 0;
   int segment = 0;              ///< At this time: it may be joined with another one later.
@@ -24,6 +25,9 @@ struct FrameObservations {
   std::vector<Eigen::Vector3d> in_world;  ///< Landmark positions; for keyframes only.
   std::vector<LandmarkMerge> merges;      ///< Merges since the previous posed frame.
   int num_joins = 0;                      ///< Number of joins of segments before; see ApplyJoins().
+  /// Id of the first landmark of the map. A report with another one than those before it is of a
+  /// new map, which replaces the one that they are of.
+  LandmarkId first_landmark = 0;
 };
 
 using ObservationCallback = std::function<void(const FrameObservations&)>;

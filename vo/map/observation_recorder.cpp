@@ -6,6 +6,10 @@
 namespace corvo {
 namespace {
 
+FrameObservations EmptyReport(int frame, int segment, KeyframeId keyframe, const Map& map) {
+  return {frame, segment, keyframe, {}, {}, {}, map.num_joins(), map.first_landmark_id()};
+}
+
 void AddObservation(const Frame& frame, int k, const Map& map, FrameObservations& added) {
   const Landmark* landmark = map.FindLandmark(frame.landmarks[k]);
   if (landmark == nullptr) return;
@@ -36,7 +40,7 @@ void ObservationRecorder::AddMerges(const std::vector<LandmarkMerge>& merges) {
 
 void ObservationRecorder::RecordFrame(const Frame& frame, int segment, const Map& map) {
   if (!observation_callback_) return;
-  FrameObservations observations{frame.index, segment, kNoId, {}, {}, {}, map.num_joins()};
+  FrameObservations observations = EmptyReport(frame.index, segment, kNoId, map);
   AddObservations(frame, map, observations);
   observations.merges.swap(pending_merges_);
   observation_callback_(observations);
@@ -52,8 +56,7 @@ void ObservationRecorder::RecordKeyframe(const Keyframe& keyframe, const Map& ma
     for (const TrackElement& o : landmark.track) {
       if (o.keyframe == keyframe.id) continue;
       const Frame& other = map.keyframe(o.keyframe).frame;
-      const FrameObservations none{other.index, keyframe.segment, o.keyframe, {}, {},
-                                   {},          map.num_joins()};
+      const FrameObservations none = EmptyReport(other.index, keyframe.segment, o.keyframe, map);
       AddObservation(other, o.keypoint, map, last.try_emplace(o.keyframe, none).first->second);
     }
   }
@@ -67,8 +70,8 @@ void ObservationRecorder::RecordLandmarks(
 }
 
 FrameObservations ObservationsOf(const Keyframe& keyframe, const Map& map) {
-  FrameObservations observations{keyframe.frame.index, keyframe.segment, keyframe.id, {}, {}, {},
-                                 map.num_joins()};
+  FrameObservations observations =
+      EmptyReport(keyframe.frame.index, keyframe.segment, keyframe.id, map);
   AddObservations(keyframe.frame, map, observations);
   return observations;
 }

@@ -49,6 +49,8 @@ std::uint32_t SizeOf(const auto& values) { return static_cast<std::uint32_t>(val
 class ObservationLog::File {
  public:
   void Add(const FrameObservations& frame) {
+    if (frame.first_landmark != first_landmark_) Clear();
+    first_landmark_ = frame.first_landmark;
     Open();
     std::vector<StoredObservation> observations;
     for (const Observation& o : frame.observations) observations.push_back(Store(o));
@@ -68,8 +70,8 @@ class ObservationLog::File {
     std::rewind(file_.get());
     for (int i = 0; i < size_; ++i) {
       const Header header = Read<Header>(1).front();
-      FrameObservations frame{header.frame, header.segment,  header.keyframe, {}, {},
-                              {},           header.num_joins};
+      FrameObservations frame{header.frame, header.segment,   header.keyframe, {}, {},
+                              {},           header.num_joins, first_landmark_};
       for (const StoredObservation& stored : Read<StoredObservation>(header.num_observations)) {
         frame.observations.push_back(Load(stored));
       }
@@ -86,6 +88,12 @@ class ObservationLog::File {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+
+  void Clear() {
+    file_.reset();
+    size_ = 0;
+    num_bytes_ = 0;
+  }
 
   void Open() {
     if (!file_) file_.reset(std::tmpfile());
@@ -108,6 +116,7 @@ class ObservationLog::File {
   }
 
   std::unique_ptr<std::FILE, Close> file_;
+  LandmarkId first_landmark_ = 0;
   int size_ = 0;
   std::size_t num_bytes_ = 0;
 };

@@ -22,14 +22,15 @@ class ObservationLog {
   ObservationLog(ObservationLog&&) noexcept;
   ObservationLog& operator=(ObservationLog&&) noexcept;
 
-  /// Returns a callback that adds to the log. It may outlive the log. It throws corvo::Error if the
+  /// Returns a callback that adds to the log. The first report of a new map clears the log of those
+  /// of the map before. The callback may outlive the log. It throws corvo::Error if the
   /// file cannot be written.
   ObservationCallback Callback();
 
   int size() const;               ///< Number of frames and keyframes reported.
   std::size_t num_bytes() const;  ///< Size of the file.
 
-  /// Calls `visit` with everything that was added, in the same order. Throws corvo::Error if the
+  /// Calls `visit` with every report of the last map, in order. Throws corvo::Error if the
   /// file cannot be read.
   void Visit(const ObservationCallback& visit) const;
 

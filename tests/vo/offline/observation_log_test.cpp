@@ -50,6 +50,20 @@ TEST(ObservationLogTest, VisitReturnsTheLoggedObservations) {
   }
 }
 
+TEST(ObservationLogTest, ANewMapReplacesTheReportsOfTheOneBefore) {
+  ObservationLog log;
+  const ObservationCallback add = log.Callback();
+  add(MakeFrame(0, kNoId, 3));
+  FrameObservations of_new_map = MakeFrame(0, kNoId, 2);
+  of_new_map.first_landmark = 7;
+  add(of_new_map);
+  EXPECT_EQ(log.size(), 1);
+  log.Visit([&](const FrameObservations& seen) {
+    EXPECT_EQ(seen.observations, of_new_map.observations);
+    EXPECT_EQ(seen.first_landmark, 7);
+  });
+}
+
 TEST(ObservationLogTest, CallbackMayOutliveTheLog) {
   ObservationCallback add = ObservationLog().Callback();
   EXPECT_NO_THROW(add(MakeFrame(0, kNoId, 3)));
