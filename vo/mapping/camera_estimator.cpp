@@ -13,16 +13,17 @@
 #include "vo/math/median.h"
 #include "vo/optimization/bundle_adjuster.h"
 #include "vo/optimization/camera_covariance.h"
+#include "vo/optimization/camera_move.h"
 #include "vo/optimization/point_selection.h"
 
 namespace corvo {
 namespace {
 
-/// Returns an adjuster of the free views of a bundle to a camera.
-BundleAdjuster AdjusterOf(const Bundle& bundle, const CalibrationOptions& options) {
+/// Returns the options for adjusting the free views of a bundle.
+AdjustmentOptions AdjustmentOf(const Bundle& bundle, const CalibrationOptions& options) {
   const auto num_free =
       std::ranges::count_if(bundle.views, [](const Bundle::View& view) { return !view.is_fixed; });
-  return BundleAdjuster(CalibrationAdjustment(options, static_cast<int>(num_free)));
+  return CalibrationAdjustment(options, static_cast<int>(num_free));
 }
 
 /// Marks the observations within the 95% quantile as inliers, the others as outliers. If the errors
@@ -68,10 +69,18 @@ CalibratedBundle CameraEstimator::operator()() const {
     result.status = AdjustmentStatus::kInvalidCamera;
   } else if (LargestDisplacement(kept_camera_, *camera) > options_.max_displacement_px) {
     result.bundle = kept_;
-    result.status = AdjusterOf(kept_, options_).Adjust(*camera, *result.bundle).status;
+    result.status = AdjustKept(*camera, *result.bundle);
   }
   if (IsUsable(result.status)) result.estimate = estimate;
   return result;
+}
+
+AdjustmentStatus CameraEstimator::AdjustKept(const Camera& camera, Bundle& kept) const {
+  const AdjustmentOptions adjustment = AdjustmentOf(kept, options_);
+  // Few points of each of many keyframes would give worse poses than the windows gave.
+  const bool has_few_points = 2 * adjustment.points_per_view < options_.points_per_keyframe;
+  return has_few_points ? MoveToCamera(kept_camera_, camera, adjustment, kept)
+                        : BundleAdjuster(adjustment).Adjust(camera, kept).status;
 }
 
 CameraEstimate CameraEstimator::EstimateWith(const CameraInformation& of_block) const {
@@ -89,8 +98,8 @@ bool CameraEstimator::IsFar(const CameraEstimate& estimate) const {
 
 AdjustmentStatus CameraEstimator::EstimateFar(CameraInformation& of_block) const {
   std::vector<Bundle> bundles{block_};
-  const AdjustmentSummary summary =
-      AdjusterOf(block_, options_).Adjust(prior_, prior_.Apply(before_.difference), bundles);
+  const AdjustmentSummary summary = BundleAdjuster(AdjustmentOf(block_, options_))
+                                        .Adjust(prior_, prior_.Apply(before_.difference), bundles);
   if (!summary.is_usable()) return summary.status;
   const Eigen::VectorXd& difference = summary.estimate.difference;
   of_block.matrix = InformationOf(std::move(bundles.front()), difference).matrix;

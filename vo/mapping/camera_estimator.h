@@ -45,6 +45,8 @@ class CameraEstimator {
   bool IsFar(const CameraEstimate& estimate) const;
   /// Sets what the block tells of the camera, linearized at its minimum, if the status is usable.
   AdjustmentStatus EstimateFar(CameraInformation& of_block) const;
+  /// Adjusts the kept keyframes to a new camera.
+  AdjustmentStatus AdjustKept(const Camera& camera, Bundle& kept) const;
   /// Returns what a block tells of the camera, linearized at a difference from the given one.
   CameraInformation InformationOf(Bundle block, const Eigen::VectorXd& difference) const;
 
