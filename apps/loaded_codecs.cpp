@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 
-#include <dlfcn.h>
-
 #include <fmt/format.h>
 
 #include "apps/codecs/codecs.h"
 #include "apps/output/command_path.h"
+#include "apps/system/module.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -14,10 +13,11 @@ namespace {
 
 const Codecs& LoadCodecs() {
   const std::filesystem::path path = PathFromCommand(CORVO_CODECS_FROM_COMMAND);
-  void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const entry = module == nullptr ? nullptr : dlsym(module, "corvo_codecs");
-  if (entry == nullptr) throw Error(fmt::format("codecs cannot be loaded: {}", dlerror()));
-  return *reinterpret_cast<const Codecs* (*)()>(entry)();
+  try {
+    return *reinterpret_cast<const Codecs* (*)()>(LoadFunction(path, "corvo_codecs"))();
+  } catch (const Error& error) {
+    throw Error(fmt::format("codecs cannot be loaded: {}", error.what()));
+  }
 }
 
 }  // namespace

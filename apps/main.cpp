@@ -5,11 +5,9 @@
 #include <new>
 #include <string_view>
 
-#include <unistd.h>
-
 #include "apps/commands/command_line.h"
-#include "apps/output/decoder_messages.h"
-#include "apps/output/interruption.h"
+#include "apps/system/decoder_messages.h"
+#include "apps/system/interruption.h"
 
 namespace corvo {
 namespace {
@@ -41,7 +39,7 @@ bool IsOutOfMemory() {
 [[noreturn]] void EndOutOfMemory() {
   if (!IsOutOfMemory()) std::abort();
   constexpr std::string_view kMessage = "corvo: error: out of memory\n";
-  static_cast<void>(!write(UncaughtStandardError(), kMessage.data(), kMessage.size()));
+  WriteUncaught(kMessage);
   std::_Exit(kBadInput);
 }
 

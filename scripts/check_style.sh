@@ -44,5 +44,11 @@ while IFS=: read -r file include; do
   [ "$(layer_of "$header")" -le "$(layer_of "$file")" ] || fail "$file includes $header, which is above it"
 done < <(grep -rE --include='*.h' --include='*.cpp' '^#include "(orb|vo|apps|python)/' orb vo apps python)
 
+# What the command needs of an operating system is in one folder.
+while read -r file; do
+  fail "$file includes a header of an operating system; such code belongs in apps/system"
+done < <(grep -rlE '^#include <(dirent|dlfcn|fcntl|ftw|poll|spawn|unistd|sys/[a-z]+)\.h>' orb vo apps python/src examples |
+  grep -v '^apps/system/' || true)
+
 codespell || failed=1
 exit "$failed"

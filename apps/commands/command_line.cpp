@@ -21,9 +21,9 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/shorthand.h"
-#include "apps/output/decoder_messages.h"
 #include "apps/output/error_text.h"
 #include "apps/output/log_format.h"
+#include "apps/system/decoder_messages.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/commands/run.h"
 
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,7 +11,6 @@
 #include "apps/commands/force_flag.h"
 #include "apps/commands/former_option.h"
 #include "apps/output/error_text.h"
-#include "apps/output/interruption.h"
 #include "apps/output/output_folder.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/printable.h"
@@ -26,6 +24,7 @@
 #include "apps/run/run_record.h"
 #include "apps/run/run_results.h"
 #include "apps/run/run_summary.h"
+#include "apps/system/interruption.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
@@ -119,7 +118,7 @@ int Run(const RunArguments& arguments, const Interruption& interruption) {
 }
 
 int RunUnlessInterrupted(const RunArguments& arguments) {
-  std::signal(SIGPIPE, SIG_IGN);  // A reader of the messages that goes away does not end the run.
+  IgnoreClosedPipes();  // A reader of the messages that goes away does not end the run.
   const Interruption interruption;
   try {
     return Run(arguments, interruption);

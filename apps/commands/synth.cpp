@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/commands/synth.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,11 +11,12 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/dataset/named_camera.h"
-#include "apps/output/interruption.h"
 #include "apps/output/printable.h"
 #include "apps/run/number_option.h"
 #include "apps/synthetic/sequence.h"
 #include "apps/synthetic/writer.h"
+#include "apps/system/interruption.h"
+#include "apps/system/terminal.h"
 #include "orb/error.h"
 
 namespace corvo {
@@ -48,7 +47,7 @@ CameraParameters ReadSizedCamera(const std::filesystem::path& named) {
 int Synthesize(SynthArguments& arguments) {
   if (!arguments.camera.empty()) arguments.options.camera = ReadSizedCamera(arguments.camera);
   const synthetic::Sequence sequence = arguments.make(arguments.options);
-  const bool terminal = isatty(fileno(stderr)) != 0;
+  const bool terminal = IsStandardErrorATerminal();
   const synthetic::Layout layout = ParseLayout(arguments.layout);
   const Interruption interruption;
   try {

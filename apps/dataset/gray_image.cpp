@@ -9,8 +9,8 @@
 #include "apps/codecs/codecs.h"
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
-#include "apps/output/decoder_messages.h"
 #include "apps/output/log_once.h"
+#include "apps/system/decoder_messages.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 

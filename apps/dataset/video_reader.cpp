@@ -15,8 +15,8 @@
 #include "apps/dataset/image_header.h"
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/packet_size.h"
-#include "apps/output/decoder_messages.h"
 #include "apps/output/log_once.h"
+#include "apps/system/decoder_messages.h"
 #include "orb/error.h"
 
 namespace corvo {

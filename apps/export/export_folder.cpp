@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/output/durable_file.h"
+#include "apps/system/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -8,9 +8,9 @@
 
 #include "apps/dataset/image_reader.h"
 #include "apps/dataset/image_source.h"
-#include "apps/output/durable_file.h"
 #include "apps/output/file_extension.h"
 #include "apps/output/image_file.h"
+#include "apps/system/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/output/durable_file.h"
 #include "apps/output/error_text.h"
 #include "apps/output/manifest.h"
+#include "apps/system/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {

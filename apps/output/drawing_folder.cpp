@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/output/durable_file.h"
 #include "apps/output/image_file.h"
+#include "apps/system/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {

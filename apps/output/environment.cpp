@@ -6,9 +6,10 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <Eigen/Core>
 #include <opencv2/core/version.hpp>
+
+#include "apps/system/peak_memory.h"
 
 namespace corvo {
 namespace {
@@ -29,13 +30,6 @@ std::string Compiler() {
 #else
   return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
 #endif
-}
-
-/// Returns the peak memory in MiB. Linux reports it in units of 1024 bytes.
-double PeakMemoryMb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 }  // namespace

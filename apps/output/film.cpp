@@ -9,8 +9,8 @@
 #include <spdlog/spdlog.h>
 #include <opencv2/core.hpp>
 
-#include "apps/output/decoder_messages.h"
 #include "apps/output/file_extension.h"
+#include "apps/system/decoder_messages.h"
 #include "orb/error.h"
 
 namespace corvo {

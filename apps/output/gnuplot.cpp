@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "apps/output/gnuplot.h"
 
-#include <csignal>
 #include <cstdio>
 #include <string_view>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
-#include "apps/output/durable_file.h"
 #include "apps/output/plot_format.h"
 #include "apps/output/temporary_file.h"
+#include "apps/system/durable_file.h"
+#include "apps/system/program.h"
 #include "orb/error.h"
 #include "vo/io/file_bytes.h"
 
@@ -30,30 +25,6 @@ TemporaryFile HoldText(const std::string& text) {
   if (std::fflush(file.get()) != 0) return nullptr;
   std::rewind(file.get());
   return file;
-}
-
-/// Runs gnuplot with these files as standard input and output. Returns whether it succeeded.
-bool Spawn(int input, const std::filesystem::path& output) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;  // Signals end gnuplot even while this process blocks them.
-  posix_spawnattr_init(&attributes);
-  sigset_t no_signals;
-  sigemptyset(&no_signals);
-  posix_spawnattr_setsigmask(&attributes, &no_signals);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  char name[] = "gnuplot";
-  char* arguments[] = {name, nullptr};
-  pid_t process = 0;
-  const int error = posix_spawnp(&process, name, &actions, &attributes, arguments, environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  return error == 0 && waitpid(process, &status, 0) == process && status == 0;
 }
 
 /// Replaces the times of creation in a PDF by a fixed one.
@@ -72,7 +43,7 @@ void RemoveDates(const std::filesystem::path& pdf) {
 
 bool RunGnuplot(const std::string& script, const std::filesystem::path& output) {
   const TemporaryFile input = HoldText(script);
-  if (input && Spawn(fileno(input.get()), output)) {
+  if (input && RunProgram("gnuplot", input.get(), output)) {
     // gnuplot reports no error if the disk is full.
     if (!IsWholePlot(output)) {
       throw Error(fmt::format("{}: cannot be written in full", output.string()));

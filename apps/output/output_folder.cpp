@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/output/durable_file.h"
-#include "apps/output/interruption.h"
+#include "apps/system/durable_file.h"
+#include "apps/system/interruption.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -9,7 +9,7 @@
 
 #include "apps/output/commit.h"
 #include "apps/output/manifest.h"
-#include "apps/output/work_folder.h"
+#include "apps/system/work_folder.h"
 
 namespace corvo {
 

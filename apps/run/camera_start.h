@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "apps/output/interruption.h"
+#include "apps/system/interruption.h"
 #include "vo/offline/self_calibration.h"
 
 namespace corvo {

@@ -5,13 +5,13 @@
 
 #include <spdlog/spdlog.h>
 
-#include "apps/output/durable_file.h"
 #include "apps/output/frame_tables.h"
 #include "apps/output/json_text.h"
 #include "apps/output/reasons.h"
 #include "apps/output/segment_report.h"
 #include "apps/run/outcome.h"
 #include "apps/run/trajectory_file.h"
+#include "apps/system/durable_file.h"
 #include "vo/offline/metric_scale.h"
 
 namespace corvo {

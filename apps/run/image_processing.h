@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "apps/output/interruption.h"
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_record.h"
+#include "apps/system/interruption.h"
 
 namespace corvo {
 

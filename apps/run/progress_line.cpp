@@ -6,27 +6,18 @@
 #include <mutex>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <spdlog/spdlog.h>
 
-#include "apps/output/decoder_messages.h"
+#include "apps/system/decoder_messages.h"
+#include "apps/system/terminal.h"
 
 namespace corvo {
 namespace {
 
 constexpr double kMsBetweenBars = 100;
-constexpr int kDefaultColumns = 80;
 constexpr int kMaxBarColumns = 30;
 constexpr int kMinBarColumns = 5;
 constexpr const char* kEraseLine = "\r\x1b[K";
-
-int TerminalColumns() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : kDefaultColumns;
-}
 
 std::string Bar(double share, int columns) {
   const int filled = std::clamp(static_cast<int>(share * columns), 0, columns);
@@ -43,7 +34,7 @@ std::string ProgressBar(std::optional<double> share, const std::string& text, in
 }
 
 ProgressLine::ProgressLine()
-    : is_terminal_(spdlog::should_log(spdlog::level::info) && isatty(STDERR_FILENO) != 0) {}
+    : is_terminal_(spdlog::should_log(spdlog::level::info) && IsStandardErrorATerminal()) {}
 
 ProgressLine::~ProgressLine() {
   const std::scoped_lock lock(MessageLock::mutex());

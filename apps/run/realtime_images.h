@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "apps/dataset/image_source.h"
-#include "apps/output/interruption.h"
+#include "apps/system/interruption.h"
 
 namespace corvo {
 

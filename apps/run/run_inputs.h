@@ -9,8 +9,8 @@
 #include <CLI/App.hpp>
 
 #include "apps/dataset/image_source.h"
-#include "apps/output/interruption.h"
 #include "apps/run/run_truth.h"
+#include "apps/system/interruption.h"
 #include "vo/camera/camera_prior.h"
 #include "vo/core/options.h"
 

@@ -17,7 +17,7 @@
 #include <spdlog/spdlog.h>
 
 #include "apps/dataset/shipped_cameras.h"
-#include "apps/output/interruption.h"
+#include "apps/system/interruption.h"
 #include "python/src/bindings.h"
 
 namespace corvo::python {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/decoder_messages.h"
+#include "apps/system/decoder_messages.h"
 
 #include <cstdio>
 #include <mutex>

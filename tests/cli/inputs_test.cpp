@@ -10,10 +10,10 @@
 
 #include "apps/dataset/camera_formats/calibration_file.h"
 #include "apps/dataset/image_source.h"
-#include "apps/output/interruption.h"
 #include "apps/run/camera_start.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/sequence_stream.h"
+#include "apps/system/interruption.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"
 #include "tests/support/data.h"

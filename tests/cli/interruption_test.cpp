@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/interruption.h"
+#include "apps/system/interruption.h"
 
 #include <csignal>
 

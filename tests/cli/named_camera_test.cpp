@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/dataset/image_source.h"
-#include "apps/output/interruption.h"
 #include "apps/run/run_inputs.h"
+#include "apps/system/interruption.h"
 #include "tests/cli/command.h"
 #include "tests/cli/expect_error.h"
 #include "tests/cli/tiny_sequence.h"

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "apps/output/durable_file.h"
+#include "apps/system/durable_file.h"
 #include "tests/cli/expect_error.h"
 #include "tests/data/temporary_folder.h"
 #include "tests/support/data.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <csignal>
 #include <string_view>
 
 namespace corvo {
@@ -24,6 +23,9 @@ struct Interrupted {};
 /// change this during their lifetimes.
 void EndOnInterruption();
 
+/// Makes writing to a pipe that nobody reads an error instead of the end of the process.
+void IgnoreClosedPipes();
+
 /// Lets a loop end by itself after one of the signals: during its lifetime they are noted,
 /// for IsRequested(). If nobody has asked for it within kPatienceMs, or if a second signal arrives,
 /// the process ends as by EndOnInterruption(). Only one exists at a time.
@@ -45,9 +47,6 @@ class Interruption {
   bool IsRequested() const { return PendingSignal() != 0; }
   /// Throws Interrupted if one of the signals has arrived.
   void ThrowIfRequested() const;
-
- private:
-  struct sigaction before_[4];
 };
 
 /// Keeps the signals from ending the process during its lifetime, so that files are moved

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/work_folder.h"
+#include "apps/system/work_folder.h"
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/output/durable_file.h"
+#include "apps/system/durable_file.h"
 #include "orb/error.h"
 
 namespace corvo {

@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace corvo {
 
@@ -30,5 +31,9 @@ struct MessageLock {
 /// Returns the descriptor of standard error, also while its messages are caught. May be called in a
 /// signal handler.
 int UncaughtStandardError();
+
+/// Writes a text to standard error, also while its messages are caught. May be called in a signal
+/// handler. Errors are ignored.
+void WriteUncaught(std::string_view text);
 
 }  // namespace corvo

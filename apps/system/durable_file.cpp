@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/durable_file.h"
+#include "apps/system/durable_file.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/interruption.h"
+#include "apps/system/interruption.h"
 
 #include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <string_view>
 
-#include "apps/output/decoder_messages.h"
+#include "apps/system/decoder_messages.h"
 
 namespace corvo {
 namespace {
@@ -28,19 +29,17 @@ static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
+/// What these signals, and SIGALRM after them, did before the Interruption.
+std::array<struct sigaction, kSignals.size() + 1> actions_before;
+
 /// Ends the process. Destructors do not run: what is staged is removed by the next run.
 [[noreturn]] void EndProcess(int signal) {
   const std::string_view message = num_polls > 0
                                        ? "corvo: error: interrupted\n"
                                        : "corvo: error: interrupted; nothing was written\n";
   constexpr std::string_view kEraseLine = "\r\x1b[K";
-  ssize_t ignored = 0;
-  const int out = UncaughtStandardError();
-  if (isatty(out) != 0) {
-    ignored = write(out, kEraseLine.data(), kEraseLine.size());
-  }
-  ignored = write(out, message.data(), message.size());
-  static_cast<void>(ignored);
+  if (isatty(UncaughtStandardError()) != 0) WriteUncaught(kEraseLine);
+  WriteUncaught(message);
   _exit(ExitCodeOf(signal));
 }
 
@@ -112,18 +111,24 @@ void EndOnInterruption() {
   }
 }
 
+void IgnoreClosedPipes() { std::signal(SIGPIPE, SIG_IGN); }
+
 Interruption::Interruption() {
   requested = 0;
   is_noticed = false;
   ++num_polls;
-  Handle(SIGALRM, OnAlarm, &before_[kSignals.size()]);
-  for (std::size_t i = 0; i < kSignals.size(); ++i) Handle(kSignals[i], OnSignal, &before_[i]);
+  Handle(SIGALRM, OnAlarm, &actions_before.back());
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    Handle(kSignals[i], OnSignal, &actions_before[i]);
+  }
 }
 
 Interruption::~Interruption() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], &actions_before[i], nullptr);
+  }
   StopTimer();
-  sigaction(SIGALRM, &before_[kSignals.size()], nullptr);
+  sigaction(SIGALRM, &actions_before.back(), nullptr);
   --num_polls;
   requested = 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/output/decoder_messages.h"
+#include "apps/system/decoder_messages.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -72,5 +72,9 @@ std::string DecoderMessages::Take() {
 }
 
 int UncaughtStandardError() { return standard_error; }
+
+void WriteUncaught(std::string_view text) {
+  static_cast<void>(!write(standard_error, text.data(), text.size()));
+}
 
 }  // namespace corvo
