@@ -183,9 +183,10 @@ const Frame& Odometry::last_frame() const {
 }
 
 void Odometry::KeepFirstFrame(const Frame& frame) {
-  // An overlay is found within the first moments of a recording. Bounds memory.
-  constexpr int kMaxFrames = 50;
-  if (frame.index < kMaxFrames) return first_frames_.push_back(frame);
+  // An overlay is found once the scene has moved in some images. Both limits bound memory.
+  constexpr int kMaxFrames = 50, kMaxMovedImages = 30;
+  const bool may_be_found = image_motion_->overlay().num_moved_images() <= kMaxMovedImages;
+  if (frame.index < kMaxFrames && may_be_found) return first_frames_.push_back(frame);
   first_frames_ = {};
 }
 

@@ -32,6 +32,7 @@ bool StaticOverlay::Add(const ReducedImage& image) {
     return false;
   }
   if (!CountStill(reference_->Measure(image))) return false;
+  ++num_moved_images_;
   if (++num_comparisons_ >= kMaxComparisons) {
     reference_.emplace(image);
     num_comparisons_ = 0;

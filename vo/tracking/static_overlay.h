@@ -19,6 +19,8 @@ class StaticOverlay {
   /// Takes an image that does not repeat the one before. Returns whether the mask has grown.
   bool Add(const ReducedImage& image);
 
+  /// Number of images in which most of what is not masked had moved.
+  int num_moved_images() const { return num_moved_images_; }
   /// Share of the image's cells that are masked, 0 to 1.
   double masked_share() const;
   /// `mask` without the overlay. A mask is empty or 8-bit, of the size of the images and zero where
@@ -36,6 +38,7 @@ class StaticOverlay {
   cv::Mat_<uchar> is_overlay_;  // Per cell: 255 where `scores_` have reached the limit.
   cv::Mat_<uchar> excluded_;    // Per cell: the overlay with its holes and its margin.
   int num_comparisons_ = 0;     // With the present reference, while the scene moved.
+  int num_moved_images_ = 0;    // With all references.
 };
 
 }  // namespace corvo
