@@ -65,9 +65,8 @@ FrameResult Odometry::Process(const cv::Mat& image, TimeNs time_ns, const cv::Ma
   // Texture that moves with the camera would hold the pose in place: it is masked.
   used_mask_ = image_motion_->overlay().Exclude(mask, image.size());
   if (motion.has_overlay_grown) RemoveOverlay();
-  Frame frame = ExtractFrame(image, time_ns);
-  KeepFirstFrame(frame);
-  return LocateFrame(std::move(frame));
+  KeepFirstImage(image, mask);
+  return LocateFrame(ExtractFrame(history_->Add(time_ns), image, used_mask_));
 }
 
 FrameResult Odometry::LocateFrame(Frame frame) {
@@ -171,7 +170,9 @@ MemoryUse Odometry::memory_use() const {
   CheckNotMovedFrom();
   std::size_t working_set_bytes = map_.working_set_bytes() + initializer_->num_bytes() +
                                   NumBytes(previous_) + mapper_->num_frame_bytes();
-  for (const Frame& frame : first_frames_) working_set_bytes += NumBytes(frame);
+  for (const FirstImage& first : first_images_) {
+    working_set_bytes += first.image.total() + first.mask.total();
+  }
   return {working_set_bytes, map_.keyframe_bytes() + mapper_->num_edge_bytes(),
           history_->num_bytes()};
 }
@@ -182,29 +183,34 @@ const Frame& Odometry::last_frame() const {
   return pending != nullptr ? *pending : previous_;
 }
 
-void Odometry::KeepFirstFrame(const Frame& frame) {
+void Odometry::KeepFirstImage(const cv::Mat& image, const cv::Mat& mask) {
   // An overlay is found once the scene has moved in some images. Both limits bound memory.
   constexpr int kMaxFrames = 50, kMaxMovedImages = 30;
   const bool may_be_found = image_motion_->overlay().num_moved_images() <= kMaxMovedImages;
-  if (frame.index < kMaxFrames && may_be_found) return first_frames_.push_back(frame);
-  first_frames_ = {};
+  if (history_->size() < kMaxFrames && may_be_found) {
+    first_images_.push_back({history_->size(), image.clone(), mask.clone()});
+  } else {
+    first_images_ = {};
+  }
 }
 
 void Odometry::RemoveOverlay() {
   CullMaskedLandmarks(used_mask_, map_);
   RemoveMaskedKeypoints(used_mask_, previous_);
   initializer_->RemoveMasked(used_mask_);
-  for (Frame& frame : first_frames_) RemoveMaskedKeypoints(used_mask_, frame);
   // Until now, the first poses followed the motion of the overlay as well as that of the scene, and
   // frames waited for a map because it did not move.
-  std::vector<Frame> frames;
-  if (!first_frames_.empty()) {
-    frames = first_frames_;
-    Restart(Reason::kStaticOverlay);
-  } else if (map_.empty()) {
-    frames = initializer_->TakeFrames();
+  if (!first_images_.empty()) return LocateFirstImages();
+  if (!map_.empty()) return;
+  for (Frame& waiting : initializer_->TakeFrames()) LocateFrame(std::move(waiting));
+}
+
+void Odometry::LocateFirstImages() {
+  Restart(Reason::kStaticOverlay);
+  for (const FirstImage& first : first_images_) {
+    const cv::Mat mask = image_motion_->overlay().Exclude(first.mask, first.image.size());
+    LocateFrame(ExtractFrame(first.index, first.image, mask));
   }
-  for (Frame& frame : frames) LocateFrame(std::move(frame));
 }
 
 void Odometry::Restart(Reason reason) {
@@ -216,19 +222,20 @@ void Odometry::Restart(Reason reason) {
   restarted.image_motion_ = std::move(image_motion_);
   restarted.recorder_ = recorder_.WithSameCallbacks();
   restarted.used_mask_ = used_mask_;
-  restarted.first_frames_ = std::move(first_frames_);
+  restarted.first_images_ = std::move(first_images_);
   *this = std::move(restarted);
 }
 
-Frame Odometry::ExtractFrame(const cv::Mat& image, TimeNs time_ns) {
+Frame Odometry::ExtractFrame(int index, const cv::Mat& image, const cv::Mat& mask) {
   const StageClock::Scope scope(clock_, &StageTimes::extract_ms);
   orb::Features features;
   std::vector<orb::Patch> patches;
-  extractor_.Extract(image, used_mask_, features, patches);
+  extractor_.Extract(image, mask, features, patches);
+  FrameOutcome& outcome = history_->outcome(index);
   Frame frame =
-      MakeFrame(history_->size(), time_ns, std::move(features), camera(), std::move(patches));
-  history_->Add(frame);
-  history_->outcome(frame.index).masked_share = image_motion_->overlay().masked_share();
+      MakeFrame(index, outcome.time_ns, std::move(features), camera(), std::move(patches));
+  history_->SetFeatures(frame);
+  outcome.masked_share = image_motion_->overlay().masked_share();
   return frame;
 }
 

@@ -123,18 +123,25 @@ class Odometry {
   const StageTimes& last_times() const { return clock_.times(); }
 
  private:
+  struct FirstImage {
+    int index = 0;
+    cv::Mat image, mask;
+  };
+
   /// Throws corvo::Error if the object was moved from.
   void CheckNotMovedFrom() const;
   /// Locates the next frame and extends the map with it, or passes it to the initializer.
   FrameResult LocateFrame(Frame frame);
-  /// Keeps a copy of a frame that may have to be located again, if it is one of the first.
-  void KeepFirstFrame(const Frame& frame);
+  /// Keeps a copy of an image that may have to be located again, if it is one of the first.
+  void KeepFirstImage(const cv::Mat& image, const cv::Mat& mask);
   /// Removes what has been found to move with the camera from the map and from frames. Frames that
   /// wait for a map, or whose poses depended on it, are located again.
   void RemoveOverlay();
+  /// Discards all poses and the map, and processes the first images again.
+  void LocateFirstImages();
   /// Discards all poses and the map. Initialization begins anew.
   void Restart(Reason reason);
-  Frame ExtractFrame(const cv::Mat& image, TimeNs time_ns);
+  Frame ExtractFrame(int index, const cv::Mat& image, const cv::Mat& mask);
   /// Updates everything that depends on keyframes and camera after an update of the map.
   void ApplyUpdate(const MapUpdate& update);
   /// Waits for all work on the map that has been started.
@@ -173,9 +180,9 @@ class Odometry {
   std::unique_ptr<FrameHistory> history_;
   ObservationRecorder recorder_;
   State state_ = State::kInitializing;
-  int segment_ = kNoId;              // kNoId until a pose or rotation is known.
-  Frame previous_;                   // The last posed frame.
-  std::vector<Frame> first_frames_;  // As extracted; see KeepFirstFrame().
+  int segment_ = kNoId;                   // kNoId until a pose or rotation is known.
+  Frame previous_;                        // The last posed frame.
+  std::vector<FirstImage> first_images_;  // See KeepFirstImage().
   cv::Mat used_mask_;
   StageClock clock_;
 };

@@ -83,10 +83,15 @@ void FrameHistory::CheckNext(TimeNs time_ns) const {
                           size(), time_ns, records_.back().outcome.time_ns));
 }
 
-void FrameHistory::Add(const Frame& frame) {
+int FrameHistory::Add(TimeNs time_ns) {
   FrameOutcome& outcome = records_.emplace_back().outcome;
-  outcome.index = frame.index;
-  outcome.time_ns = frame.time_ns;
+  outcome.index = size() - 1;
+  outcome.time_ns = time_ns;
+  return outcome.index;
+}
+
+void FrameHistory::SetFeatures(const Frame& frame) {
+  FrameOutcome& outcome = records_[frame.index].outcome;
   outcome.num_features = frame.num_keypoints();
   const auto& keypoints = frame.features.keypoints;
   const auto finest = std::ranges::min_element(keypoints, {}, &orb::Keypoint::octave);
@@ -94,11 +99,9 @@ void FrameHistory::Add(const Frame& frame) {
 }
 
 int FrameHistory::AddMissing(TimeNs time_ns, Reason reason) {
-  FrameOutcome& outcome = records_.emplace_back().outcome;
-  outcome.index = size() - 1;
-  outcome.time_ns = time_ns;
-  outcome.reason = reason;
-  return outcome.index;
+  const int index = Add(time_ns);
+  records_[index].outcome.reason = reason;
+  return index;
 }
 
 int FrameHistory::AddRepeat(TimeNs time_ns) {
@@ -107,11 +110,9 @@ int FrameHistory::AddRepeat(TimeNs time_ns) {
                    [](const Record& record) { return !IsMissingImage(record.outcome.reason); });
   const FrameOutcome newest = with_image->outcome;
   const int original = newest.repeats == kNoId ? newest.index : newest.repeats;
-  FrameOutcome& outcome = records_.emplace_back().outcome;
-  outcome.index = size() - 1;
-  outcome.time_ns = time_ns;
-  outcome.repeats = original;
-  return outcome.index;
+  const int index = Add(time_ns);
+  records_[index].outcome.repeats = original;
+  return index;
 }
 
 void FrameHistory::SetScale(int segment, const SegmentScale& scale) {

@@ -35,8 +35,10 @@ class FrameHistory {
   /// Throws corvo::Error unless `time_ns`, the timestamp of the next frame, is after that of the
   /// newest frame.
   void CheckNext(TimeNs time_ns) const;
-  /// Adds a frame that is not located yet.
-  void Add(const Frame& frame);
+  /// Adds a frame that is not located yet. Returns its index.
+  int Add(TimeNs time_ns);
+  /// Sets the outcome of the extraction of a frame's features.
+  void SetFeatures(const Frame& frame);
   /// Adds a frame without an image. Returns its index.
   int AddMissing(TimeNs time_ns, Reason reason);
   /// A frame whose image repeats that of the last frame added by Add: it has that one's outcome and

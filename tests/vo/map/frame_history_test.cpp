@@ -20,7 +20,7 @@ class FrameHistoryTest : public ::testing::Test {
     for (int i = 0; i < 8; ++i) {
       Frame frame;
       frame.index = i;
-      history_.Add(frame);
+      history_.Add(frame.time_ns);
       history_.outcome(i).state = State::kRotationOnly;
     }
     AddKeyframe(0, 0, pose_);

@@ -25,7 +25,7 @@ class PendingFramesTest : public ::testing::Test {
       frame.index = i;
       frame.time_ns = i * 100'000'000;
       if (i != kLocated) frame.world_from_camera = SE3();
-      history_.Add(frame);
+      history_.Add(frame.time_ns);
       frames_.push_back(frame);
     }
     history_.AddKeyframe(kLocated, 2, map_);
