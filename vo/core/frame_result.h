@@ -34,7 +34,7 @@ enum class Reason : std::uint8_t {
   kBadTriangulation,  ///< Initializing: too few points in front with parallax and a low error.
   kTooFewInliers,     ///< Tracking: too few inliers of a pose, or no more than chance gives.
   /// What moves with the camera covers most of the image and leaves too few keypoints; or the pose
-  /// depended on it and was discarded when it was found.
+  /// depended on it, was discarded when it was found, and could not be computed again.
   kStaticOverlay,
   kRepeatedImage,  ///< Posed: the image repeats that of an earlier frame, whose pose it has.
   /// Posed, but the scale may have changed here: the images do not explain the change of the speed,

@@ -59,7 +59,7 @@ REASONS = {
     "static_overlay": Reason(
         "Texture that moves with the camera (a bonnet, a robot arm) covers more than half of the "
         "image, and the rest has too few features; or the poses of the first frames depended on "
-        "such texture and were discarded when it was found.",
+        "such texture, were discarded when it was found, and could not be computed again without it.",
         "Exclude it with `--mask`, and point the camera at more of the scene.",
     ),
     "planar": Reason(
