@@ -184,10 +184,13 @@ const Frame& Odometry::last_frame() const {
 }
 
 void Odometry::KeepFirstImage(const cv::Mat& image, const cv::Mat& mask) {
-  // An overlay is found once the scene has moved in some images. Both limits bound memory.
+  // An overlay is found once the scene has moved in some images. All limits bound memory; once one
+  // is exceeded, it stays so.
   constexpr int kMaxFrames = 50, kMaxMovedImages = 30;
+  constexpr std::size_t kMaxBytes = 128 << 20;
   const bool may_be_found = image_motion_->overlay().num_moved_images() <= kMaxMovedImages;
-  if (history_->size() < kMaxFrames && may_be_found) {
+  const bool has_room = (history_->size() + 1) * image.total() <= kMaxBytes;
+  if (history_->size() < kMaxFrames && may_be_found && has_room) {
     first_images_.push_back({history_->size(), image.clone(), mask.clone()});
   } else {
     first_images_ = {};

@@ -387,6 +387,17 @@ TEST(OdometryTest, MemoryUseIncludesTheFramesThatWaitForInitialization) {
       << "the map, the frame that waits, a previous frame, which is empty, and a copy of the image";
 }
 
+TEST(OdometryTest, CopiesOfLargeFirstImagesAreBounded) {
+  Odometry odometry(test::PinholeCamera().Resized(4000, 3000));
+  const int num_images = 12;  // Of 12 MB each.
+  for (int i = 1; i <= num_images; ++i) {
+    cv::Mat image(3000, 4000, CV_8UC1);
+    cv::randu(image, 0, 255);
+    odometry.Process(image, i * test::kFrameTime);
+  }
+  EXPECT_LT(odometry.memory_use().working_set_bytes, std::size_t{128} << 20);
+}
+
 TEST(OdometryTest, BadInputThrowsAndChangesNothing) {
   const std::vector<cv::Mat> drive = MakeDrive(3, 9);
   Odometry odometry(test::PinholeCamera());
