@@ -78,7 +78,7 @@ CalibratedBundle CameraEstimator::operator()() const {
 AdjustmentStatus CameraEstimator::AdjustKept(const Camera& camera, Bundle& kept) const {
   const AdjustmentOptions adjustment = AdjustmentOf(kept, options_);
   // Few points of each of many keyframes would give worse poses than the windows gave.
-  const bool has_few_points = 2 * adjustment.points_per_view < options_.points_per_keyframe;
+  const bool has_few_points = 4 * adjustment.points_per_view < options_.points_per_keyframe;
   return has_few_points ? MoveToCamera(kept_camera_, camera, adjustment, kept)
                         : BundleAdjuster(adjustment).Adjust(camera, kept).status;
 }
