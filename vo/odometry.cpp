@@ -198,12 +198,12 @@ void Odometry::KeepFirstImage(const cv::Mat& image, const cv::Mat& mask) {
 }
 
 void Odometry::RemoveOverlay() {
-  CullMaskedLandmarks(used_mask_, map_);
-  RemoveMaskedKeypoints(used_mask_, previous_);
-  initializer_->RemoveMasked(used_mask_);
   // Until now, the first poses followed the motion of the overlay as well as that of the scene, and
   // frames waited for a map because it did not move.
   if (!first_images_.empty()) return LocateFirstImages();
+  CullMaskedLandmarks(used_mask_, map_);
+  RemoveMaskedKeypoints(used_mask_, previous_);
+  initializer_->RemoveMasked(used_mask_);
   if (!map_.empty()) return;
   for (Frame& waiting : initializer_->TakeFrames()) LocateFrame(std::move(waiting));
 }

@@ -2,6 +2,8 @@
 #include "apps/output/residual_plot.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -36,17 +38,15 @@ std::vector<ResidualCell> MeanResiduals(const Camera& camera, const std::vector<
     }
   }
   for (const Bundle& bundle : bundles) {
-    const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
-    for (const Bundle::Observation& observation : bundle.observations) {
-      if (!observation.is_inlier || !camera.Contains(observation.pixel)) continue;
-      const auto pixel = camera.Project(camera_from_local[observation.view] *
-                                        bundle.points[observation.point].in_local);
-      if (!pixel) continue;
+    const std::vector<std::optional<Eigen::Vector2d>> predicted = PredictPixels(camera, bundle);
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+      const Bundle::Observation& observation = bundle.observations[i];
+      if (!observation.is_inlier || !camera.Contains(observation.pixel) || !predicted[i]) continue;
       const int column = static_cast<int>((observation.pixel.x() + 0.5) / size.x());
       const int row = static_cast<int>((observation.pixel.y() + 0.5) / size.y());
       ResidualCell& cell = cells[std::min(row, rows - 1) * columns + std::min(column, columns - 1)];
       ++cell.count;
-      cell.mean_px += (observation.pixel - *pixel - cell.mean_px) / cell.count;
+      cell.mean_px += (observation.pixel - *predicted[i] - cell.mean_px) / cell.count;
     }
   }
   return cells;

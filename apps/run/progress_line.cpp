@@ -17,7 +17,6 @@ namespace {
 constexpr double kMsBetweenBars = 100;
 constexpr int kMaxBarColumns = 30;
 constexpr int kMinBarColumns = 5;
-constexpr const char* kEraseLine = "\r\x1b[K";
 
 std::string Bar(double share, int columns) {
   const int filled = std::clamp(static_cast<int>(share * columns), 0, columns);
@@ -38,7 +37,7 @@ ProgressLine::ProgressLine()
 
 ProgressLine::~ProgressLine() {
   const std::scoped_lock lock(MessageLock::mutex());
-  if (is_terminal_) std::fputs(kEraseLine, stderr);
+  if (is_terminal_) std::fputs(kEraseLine.data(), stderr);
 }
 
 void ProgressLine::Show(std::optional<double> share, const std::string& text) {
@@ -47,7 +46,8 @@ void ProgressLine::Show(std::optional<double> share, const std::string& text) {
   if (now_ms - last_drawn_ms_ < kMsBetweenBars && share != 1.0) return;
   last_drawn_ms_ = now_ms;
   const std::scoped_lock lock(MessageLock::mutex());
-  std::fputs((kEraseLine + ProgressBar(share, text, TerminalColumns() - 1)).c_str(), stderr);
+  const std::string bar = ProgressBar(share, text, TerminalColumns() - 1);
+  std::fputs((std::string(kEraseLine) + bar).c_str(), stderr);
 }
 
 }  // namespace corvo

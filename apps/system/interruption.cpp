@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "apps/system/decoder_messages.h"
+#include "apps/system/terminal.h"
 
 namespace corvo {
 namespace {
@@ -37,7 +38,6 @@ std::array<struct sigaction, kSignals.size() + 1> actions_before;
   const std::string_view message = num_polls > 0
                                        ? "corvo: error: interrupted\n"
                                        : "corvo: error: interrupted; nothing was written\n";
-  constexpr std::string_view kEraseLine = "\r\x1b[K";
   if (isatty(UncaughtStandardError()) != 0) WriteUncaught(kEraseLine);
   WriteUncaught(message);
   _exit(ExitCodeOf(signal));

@@ -123,6 +123,12 @@ test::Recording ReadImages(const Folder& folder, int first) {
   return recording;
 }
 
+/// Runs on images that were made from those of a dataset, with its camera.
+Trajectory RunOnImages(const test::Recording& recording, const Folder& folder) {
+  return test::RunOdometry([&](int i) { return recording.images[i]; }, recording.size(),
+                           Camera(*folder.list.camera));
+}
+
 /// A vehicle crosses 41% of the image in 40 frames, while the camera turns into another street.
 TEST(RealSequenceTest, Kitti05IsTrackedAccuratelyBehindACrossingVehicle) {
   CORVO_REQUIRE_DATA("kitti/sequences/05");
@@ -133,8 +139,7 @@ TEST(RealSequenceTest, Kitti05IsTrackedAccuratelyBehindACrossingVehicle) {
     test::Random random(seed);
     const test::Vehicle vehicle{test::VehicleMotion::kCrossing, 12, 40, 0.41};
     const test::Recording disturbed = test::AddVehicle(recording, vehicle, random);
-    const Trajectory trajectory = test::RunOdometry([&](int i) { return disturbed.images[i]; },
-                                                    folder.num_frames, Camera(*folder.list.camera));
+    const Trajectory trajectory = RunOnImages(disturbed, folder);
     ExpectAccurate(trajectory, test::ReadKittiTruth("05"), 0.08, 0.98);
   }
 }
@@ -148,9 +153,7 @@ TEST(RealSequenceTest, Kitti05IsTrackedAccuratelyAboveABonnet) {
     SCOPED_TRACE(first);
     test::Random random(1);
     const test::Recording disturbed = test::AddOverlay(ReadImages(folder, first), 0.2, random);
-    const Trajectory trajectory =
-        test::RunOdometry([&](int i) { return disturbed.images[i]; }, folder.num_frames - first,
-                          Camera(*folder.list.camera));
+    const Trajectory trajectory = RunOnImages(disturbed, folder);
     ExpectAccurate(trajectory, test::ReadKittiTruth("05"), 0.08, 0.98);
   }
 }

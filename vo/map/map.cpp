@@ -339,14 +339,6 @@ std::vector<Covisible> Map::CountShared(const std::vector<LandmarkId>& landmarks
   return covisible;
 }
 
-int CountExistingLandmarks(const Map& map, const Frame& frame) {
-  int count = 0;
-  for (const LandmarkId id : frame.landmarks) {
-    count += map.FindLandmark(map.Resolve(id)) != nullptr;
-  }
-  return count;
-}
-
 std::vector<double> DepthsOfLandmarks(const Map& map, const Frame& frame) {
   const SE3 camera_from_world = frame.world_from_camera.Inverse();
   std::vector<double> depths;

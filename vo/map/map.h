@@ -233,9 +233,6 @@ class Map {
   int num_landmark_ids_ = 0;
 };
 
-/// Returns the number of keypoints of a frame that observe a landmark which still exists.
-int CountExistingLandmarks(const Map& map, const Frame& frame);
-
 /// Returns the depths of the landmarks that a frame observes, in the order of its keypoints.
 std::vector<double> DepthsOfLandmarks(const Map& map, const Frame& frame);
 

@@ -148,6 +148,18 @@ Bundle CopyBundle(const Map& map, const AdjustmentWindow& window) {
   return bundle;
 }
 
+std::vector<std::optional<Eigen::Vector2d>> PredictPixels(const Camera& camera,
+                                                          const Bundle& bundle) {
+  const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);
+  std::vector<std::optional<Eigen::Vector2d>> pixels;
+  pixels.reserve(bundle.observations.size());
+  for (const Bundle::Observation& observation : bundle.observations) {
+    pixels.push_back(camera.Project(camera_from_local[observation.view] *
+                                    bundle.points[observation.point].in_local));
+  }
+  return pixels;
+}
+
 void VisitErrors(const Camera& camera, Bundle& bundle,
                  const std::function<void(Bundle::Observation&, double)>& visit) {
   const std::vector<SE3> camera_from_local = CamerasFromLocal(bundle);

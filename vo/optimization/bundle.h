@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "vo/camera/camera.h"
@@ -48,6 +49,10 @@ int FindPoint(const Bundle& bundle, LandmarkId landmark);
 /// Returns the offsets of the points' observations: those of point p have the indices offsets[p] to
 /// offsets[p + 1] - 1. There is one offset more than there are points.
 std::vector<int> ObservationOffsets(const Bundle& bundle);
+
+/// Returns where a camera sees the point of each observation, if it does.
+std::vector<std::optional<Eigen::Vector2d>> PredictPixels(const Camera& camera,
+                                                          const Bundle& bundle);
 
 /// Calls `visit` with every observation of a bundle and its SquaredError.
 void VisitErrors(const Camera& camera, Bundle& bundle,
