@@ -2,6 +2,7 @@
 #include "vo/camera/camera.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "orb/error.h"
@@ -11,6 +12,8 @@
 
 namespace corvo {
 namespace {
+
+constexpr double kMinRelativeFocal = 1e-6;  // The least FocalAt() relative to that on the axis.
 
 double MaxRadius(const CameraParameters& parameters) {
   switch (parameters.model) {
@@ -85,7 +88,10 @@ double Camera::FocalAt(const Eigen::Vector2d& ray) const {
   if (parameters_.model == CameraModel::kPinhole) return focal();
   const Eigen::Matrix2d pixel_by_ray =
       Eigen::Vector2d(fx(), fy()).asDiagonal() * Distort(parameters_, ray).jacobian;
-  return std::sqrt(2.0 / pixel_by_ray.inverse().squaredNorm());
+  // At max_radius() the derivative may be singular, and the quotient 0 or not a number.
+  const double focal_at_ray = std::sqrt(2.0 / pixel_by_ray.inverse().squaredNorm());
+  const double min_focal = kMinRelativeFocal * std::min(fx(), fy());
+  return focal_at_ray > min_focal ? focal_at_ray : min_focal;
 }
 
 Camera Camera::Resized(int width, int height) const {

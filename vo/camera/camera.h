@@ -50,8 +50,9 @@ class Camera {
 
   /// Returns the focal length around a ray inside max_radius(), px per unit of (x/z, y/z): pixel
   /// noise divided by it is the noise of the ray, root mean square of both axes. It decreases
-  /// toward the border of a wide lens. For the pinhole model, distortion is small and neglected,
-  /// and the result is focal(). Throws corvo::Error if the ray is not finite.
+  /// toward the border of a wide lens, where it is at least 1e-6 of the smaller of fx and fy. For
+  /// the pinhole model, distortion is small and neglected, and the result is focal(). Throws
+  /// corvo::Error if the ray is not finite.
   double FocalAt(const Eigen::Vector2d& ray) const;
 
   /// Returns the limit on |(x/z, y/z)| below which the model holds. Up to this limit the distorted

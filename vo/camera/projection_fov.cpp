@@ -7,12 +7,14 @@
 namespace corvo::fov {
 namespace {
 
+bool IsUndistorted(const CameraParameters& p) { return p.omega < 1e-9; }
+
 double Stretch(const CameraParameters& p) { return 2 * std::tan(0.5 * p.omega); }
 
 }  // namespace
 
 Distorted Distort(const CameraParameters& p, const Eigen::Vector2d& undistorted) {
-  if (p.omega == 0) return {undistorted, Eigen::Matrix2d::Identity()};
+  if (IsUndistorted(p)) return {undistorted, Eigen::Matrix2d::Identity()};
   const double r = undistorted.norm();
   const double stretched = Stretch(p) * r;
   return MoveRadially(undistorted, r, std::atan(stretched) / p.omega,
@@ -20,7 +22,7 @@ Distorted Distort(const CameraParameters& p, const Eigen::Vector2d& undistorted)
 }
 
 Eigen::Vector2d DistortedByOmega(const CameraParameters& p, const Eigen::Vector2d& undistorted) {
-  if (p.omega == 0) return Eigen::Vector2d::Zero();
+  if (IsUndistorted(p)) return Eigen::Vector2d::Zero();
   const double r = undistorted.norm();
   const double stretch = Stretch(p);
   const double angle_per_radius = r == 0 ? stretch : std::atan(stretch * r) / r;
@@ -37,7 +39,7 @@ std::optional<Eigen::Vector2d> Undistort(const CameraParameters& p, double max_r
   const double angle = p.omega * radius;
   if (radius == 0) return target;
   if (!(angle < 0.5 * std::numbers::pi)) return std::nullopt;
-  const double r = p.omega == 0 ? radius : std::tan(angle) / Stretch(p);
+  const double r = IsUndistorted(p) ? radius : std::tan(angle) / Stretch(p);
   if (!(r < max_radius)) return std::nullopt;
   return Eigen::Vector2d(r / radius * target);
 }

@@ -109,9 +109,12 @@ TEST(FovCameraTest, TendsToThePinholeAsOmegaTendsToZero) {
     const Eigen::Vector2d ray(random.Uniform(-2, 2), random.Uniform(-2, 2));
     const Eigen::Vector2d pixel = *pinhole.Project(ray.homogeneous());
     EXPECT_EQ(*none.Project(ray.homogeneous()), pixel);
-    for (const double omega : {1e-5, 1e-9, 1e-300}) {
-      EXPECT_THAT(*Camera(Fov(omega)).Project(ray.homogeneous()), IsMatrixNear(pixel, 1e-6));
-      EXPECT_THAT(*Camera(Fov(omega)).Undistort(pixel), IsMatrixNear(ray, 1e-8));
+    const double smallest = std::numeric_limits<double>::denorm_min();
+    for (const double omega : {1e-5, 1e-9, 1e-300, smallest}) {
+      const Camera camera(Fov(omega));
+      EXPECT_THAT(*camera.Project(ray.homogeneous()), IsMatrixNear(pixel, 1e-6));
+      EXPECT_THAT(*camera.Undistort(pixel), IsMatrixNear(ray, 1e-8));
+      EXPECT_NEAR(camera.FocalAt(ray), none.FocalAt(ray), 1e-6);
     }
   }
 }
@@ -242,6 +245,18 @@ TEST(WideCameraTest, FocalAtRelatesPixelNoiseToRayNoise) {
   EXPECT_NEAR(Camera(parameters).FocalAt({std::tan(angle), 0}),
               190 / std::sqrt(0.5 * (along * along + across * across)), 1e-10);
   EXPECT_NEAR(Camera(parameters).FocalAt({0, 0}), 190, 1e-10);
+}
+
+TEST(WideCameraTest, FocalAtIsPositiveWhereTheDistortedRadiusEnds) {
+  // With k1 = -1/3 the radius t - t³/3 of kb4 ends at t = 1, where its slope 1 - t² is exactly 0.
+  const Camera camera(Kb4(-1.0 / 3, 0, 0, 0));
+  ASSERT_NEAR(camera.max_radius(), std::tan(1.0), 1e-12);
+  for (const double radius : {std::tan(1.0), camera.max_radius()}) {
+    for (const Eigen::Vector2d& ray : {Eigen::Vector2d(radius, 0), Eigen::Vector2d(0, radius)}) {
+      EXPECT_GE(camera.FocalAt(ray), 1e-6 * camera.fx());
+      EXPECT_LE(camera.FocalAt(ray), 1e-5 * camera.fx());
+    }
+  }
 }
 
 TEST(CameraModelTest, NamesRoundTrip) {
