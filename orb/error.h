@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,12 @@ void CheckRange(std::string_view field, const T& value, const T& min, const T& m
   std::ostringstream message;
   message << field << " is " << value << "; allowed is " << min << " to " << max;
   throw Error(message.str());
+}
+
+/// Like CheckRange, for finite numbers above 0.
+inline void CheckPositive(std::string_view field, double value) {
+  using Limits = std::numeric_limits<double>;
+  CheckRange(field, value, Limits::min(), Limits::max());
 }
 
 }  // namespace corvo

@@ -17,7 +17,7 @@
 #include "apps/output/track_drawings.h"
 #include "apps/run/checkpoint.h"
 #include "apps/run/image_processing.h"
-#include "apps/run/metric_result.h"
+#include "apps/run/known_length_arguments.h"
 #include "apps/run/number_option.h"
 #include "apps/run/run_inputs.h"
 #include "apps/run/run_plot.h"
@@ -96,9 +96,15 @@ int Report(const RunArguments& arguments, const RunRecord& record, const RunSumm
   return summary.end.exit_code;
 }
 
+/// Throws corvo::Error if a known length is malformed.
+void CheckKnownLengths(const RunArguments& arguments) {
+  for (const std::string& text : arguments.known_distances) ParseKnownDistance(text);
+  for (const std::string& text : arguments.known_sizes) ParseKnownSize(text);
+}
+
 int Run(const RunArguments& arguments, const Interruption& interruption) {
   CheckPlot(arguments);
-  if (!arguments.known_distance.empty()) ParseKnownDistance(arguments.known_distance);
+  CheckKnownLengths(arguments);
   OutputFolder output(arguments.output, PlanOfRun(arguments.force));
   PlotFile plot(arguments.plot, arguments.force);
   TrackDrawings drawings(arguments.drawings, arguments.force);
@@ -155,12 +161,23 @@ void AddScaleOptions(CLI::App& command, RunArguments& arguments) {
                       "meters, and the scale is held along the path")
           ->check(NumberRange(1e-3, 1e6))
           ->excludes(meters_per_unit);
+  CLI::Option* known_distance =
+      command
+          .add_option("--known-distance", arguments.known_distances,
+                      "FRAME,FRAME,METERS: distance between the positions of the camera at two "
+                      "frames; lengths of their segment are in meters. Several hold the scale "
+                      "between them")
+          ->allow_extra_args(false)
+          ->excludes(meters_per_unit)
+          ->excludes(camera_height);
   command
-      .add_option("--known-distance", arguments.known_distance,
-                  "FRAME,FRAME,METERS: distance between the positions of the camera at two frames; "
-                  "lengths of their segment are in meters")
+      .add_option("--known-size", arguments.known_sizes,
+                  "FRAME,X,Y,X,Y,FRAME,X,Y,X,Y,METERS: size of an object, with the pixels of its "
+                  "two ends in two or more frames; otherwise like --known-distance")
+      ->allow_extra_args(false)
       ->excludes(meters_per_unit)
-      ->excludes(camera_height);
+      ->excludes(camera_height)
+      ->excludes(known_distance);
   AddFormerOption(command, "--metres-per-unit", "is now --meters-per-unit");
 }
 

@@ -13,6 +13,8 @@ std::string ScaleText(const SegmentScale& scale) {
       return fmt::format("in meters, scale from the height of the camera, ± {:.1f}%", percent);
     case ScaleSource::kKnownDistance:
       return "in meters, scale from the known distance";
+    case ScaleSource::kKnownSize:
+      return fmt::format("in meters, scale from the size of an object, ± {:.1f}%", percent);
     case ScaleSource::kArbitrary:
       return "scale arbitrary";
     case ScaleSource::kMedianSpeed:

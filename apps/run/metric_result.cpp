@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run/metric_result.h"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/output/final_map.h"
+#include "apps/run/known_length_arguments.h"
 #include "orb/error.h"
-#include "vo/io/text_lines.h"
 
 namespace corvo {
 namespace {
@@ -25,14 +24,40 @@ std::vector<PointInSegment> PositionsOf(const std::vector<MapPoint>& points) {
   return positions;
 }
 
-MetricScale MeasureScale(const RunArguments& arguments, const RunRecord& record) {
+/// Returns the camera of the final trajectory.
+Camera FinalCamera(const RunRecord& record) {
+  if (record.is_refined()) return Camera(record.refinement->adjustment.camera);
+  return record.odometry.camera();
+}
+
+MetricScale ScaleOfDistances(const Trajectory& trajectory, const std::vector<std::string>& texts) {
+  std::vector<ScaleMeasurement> measurements;
+  for (const std::string& text : texts) {
+    measurements.push_back(MeasureScale(trajectory, ParseKnownDistance(text)));
+  }
+  return InterpolateScale(trajectory, measurements, ScaleSource::kKnownDistance);
+}
+
+MetricScale ScaleOfSizes(const Trajectory& trajectory, const Camera& camera,
+                         const std::vector<std::string>& texts) {
+  std::vector<ScaleMeasurement> measurements;
+  for (const std::string& text : texts) {
+    measurements.push_back(MeasureScale(trajectory, camera, ParseKnownSize(text)));
+  }
+  return InterpolateScale(trajectory, measurements, ScaleSource::kKnownSize);
+}
+
+MetricScale FindScale(const RunArguments& arguments, const RunRecord& record) {
   const Trajectory& trajectory = record.trajectory;
   if (arguments.camera_height_m) {
     return ScaleOfCameraHeight(trajectory, PositionsOf(PointsInUnits(record)),
                                *arguments.camera_height_m);
   }
-  if (!arguments.known_distance.empty()) {
-    return ScaleOfDistance(trajectory, ParseKnownDistance(arguments.known_distance));
+  if (!arguments.known_distances.empty()) {
+    return ScaleOfDistances(trajectory, arguments.known_distances);
+  }
+  if (!arguments.known_sizes.empty()) {
+    return ScaleOfSizes(trajectory, FinalCamera(record), arguments.known_sizes);
   }
   return ConstantScale(trajectory, *arguments.meters_per_unit);
 }
@@ -48,30 +73,15 @@ std::string WhyNotMetric(const Trajectory& trajectory, const MetricScale& scale)
   return fmt::format("the lengths of segment {} are not in meters: {}", names,
                      scale.source == ScaleSource::kCameraHeight
                          ? "no ground was found below the path of the camera"
-                         : "the known distance is in another segment");
+                         : "the known lengths are in other segments");
 }
 
 }  // namespace
 
-KnownDistance ParseKnownDistance(const std::string& text) {
-  const std::vector<std::string> fields = SplitFields(text);
-  constexpr double kMaxFrame = 1e9;
-  const auto parse = [&](std::size_t i, double min, double max) {
-    const double value = ParseNumber(fields[i], "--known-distance: ");
-    CheckRange("--known-distance", value, min, max);
-    return value;
-  };
-  if (fields.size() != 3) {
-    throw Error(fmt::format("--known-distance: '{}' is not FRAME,FRAME,METERS", text));
-  }
-  return {static_cast<int>(std::lround(parse(0, 0, kMaxFrame))),
-          static_cast<int>(std::lround(parse(1, 0, kMaxFrame))), parse(2, 1e-9, 1e9)};
-}
-
 void BringToMeters(const RunArguments& arguments, RunRecord& record) {
   if (!arguments.IsMetric()) return;
   try {
-    record.metric.emplace(record.trajectory, MeasureScale(arguments, record));
+    record.metric.emplace(record.trajectory, FindScale(arguments, record));
   } catch (const Error& error) {
     record.why_not_metric = error.what();
     return;

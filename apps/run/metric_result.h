@@ -10,12 +10,9 @@
 
 namespace corvo {
 
-/// Reads a known distance from "FIRST,SECOND,METERS". Throws corvo::Error if it is malformed.
-KnownDistance ParseKnownDistance(const std::string& text);
-
-/// Brings the trajectory of a record to meters if --meters-per-unit, --camera-height or
-/// --known-distance was given. If the scale cannot be determined, it stays as it is and
-/// RunRecord::why_not_metric says why.
+/// Brings the trajectory of a record to meters if --meters-per-unit, --camera-height,
+/// --known-distance or --known-size was given. If the scale cannot be determined, it stays as it is
+/// and RunRecord::why_not_metric says why.
 void BringToMeters(const RunArguments& arguments, RunRecord& record);
 
 /// Returns the meters per unit of a record's odometry by the index of the frame; 1 if the

@@ -33,7 +33,8 @@ struct RunArguments {
   std::filesystem::path plot;             ///< File for a plot beside that of the results.
   std::optional<double> meters_per_unit;  ///< Scale factor of the written results; default 1.
   std::optional<double> camera_height_m;  ///< Height of the camera above the ground.
-  std::string known_distance;             ///< See ParseKnownDistance(); empty if not given.
+  std::vector<std::string> known_distances;  ///< See ParseKnownDistance().
+  std::vector<std::string> known_sizes;      ///< See ParseKnownSize().
   Selection selection;
   std::string resize;  ///< "WxH" or a factor; empty for the original size.
   int threads = 1;
@@ -46,7 +47,9 @@ struct RunArguments {
   std::string calibration;  ///< "estimate" or "fixed"; if empty, calibration.enabled decides.
 
   /// Returns whether the results are to be in meters.
-  bool IsMetric() const { return meters_per_unit || camera_height_m || !known_distance.empty(); }
+  bool IsMetric() const {
+    return meters_per_unit || camera_height_m || !known_distances.empty() || !known_sizes.empty();
+  }
 };
 
 /// The inputs of a run.

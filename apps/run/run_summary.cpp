@@ -63,10 +63,8 @@ std::string OverlayText(const RunSummary& summary) {
 /// Returns one line for each segment if there are several or their scale was measured.
 std::string SegmentsText(const RunSummary& summary) {
   std::string text;
-  const bool is_measured = std::ranges::any_of(summary.segments, [](const Segment& segment) {
-    return segment.scale.source == ScaleSource::kCameraHeight ||
-           segment.scale.source == ScaleSource::kKnownDistance;
-  });
+  const bool is_measured = std::ranges::any_of(
+      summary.segments, [](const Segment& segment) { return IsMetric(segment.scale.source); });
   if (summary.segments.size() < 2 && !is_measured) return text;
   for (const Segment& segment : summary.segments) text += ToText(segment) + "\n";
   return text;
@@ -319,7 +317,8 @@ Json ToJson(const RunArguments& arguments, const RunInputs& inputs, const RunSum
       summary.why_not_kitti.empty() ? "written" : "not written: " + summary.why_not_kitti;
   if (arguments.meters_per_unit) json["meters_per_unit"] = *arguments.meters_per_unit;
   if (arguments.camera_height_m) json["camera_height"] = *arguments.camera_height_m;
-  if (!arguments.known_distance.empty()) json["known_distance"] = arguments.known_distance;
+  if (!arguments.known_distances.empty()) json["known_distance"] = arguments.known_distances;
+  if (!arguments.known_sizes.empty()) json["known_size"] = arguments.known_sizes;
   if (!inputs.truth.file.empty()) json["truth"] = inputs.truth.file.string();
   if (summary.evaluation) json["evaluation"] = ToJson(*summary.evaluation);
   if (summary.rotation_deg) json["rotation_over_1s_deg"] = ToJson(*summary.rotation_deg);

@@ -287,6 +287,50 @@ TEST_F(Pipeline, AKnownDistanceMakesLengthsMeters) {
   EXPECT_LT(MetricError(result, Truth()), 0.02 * 30);
 }
 
+/// Returns "FRAME,X,Y,X,Y" for two points in the true camera of a frame.
+std::string ViewOf(const Camera& camera, const PoseSequence& truth, int frame,
+                   const std::vector<Eigen::Vector3d>& ends) {
+  std::string text = fmt::format("{}", frame);
+  for (const Eigen::Vector3d& end : ends) {
+    const auto pixel = camera.Project(truth[frame].world_from_camera.Inverse() * end);
+    text += fmt::format(",{:.1f},{:.1f}", pixel->x(), pixel->y());
+  }
+  return text;
+}
+
+TEST_F(Pipeline, KnownSizesMakeLengthsMeters) {
+  const PoseSequence truth = ReadTum(Truth());
+  const Camera camera = ReadCameraFile(Street() / "camera.yaml").camera;
+  const fs::path result = *folder_ / "sizes";
+  std::vector<std::string> options;
+  for (const int frame : {0, 25}) {
+    const SE3& world_from_camera = truth[frame].world_from_camera;
+    const std::vector<Eigen::Vector3d> ends = {world_from_camera * Eigen::Vector3d(-2, 0, 14),
+                                               world_from_camera * Eigen::Vector3d(2, -1, 15)};
+    options.insert(options.end(),
+                   {"--known-size", fmt::format("{},{},{}", ViewOf(camera, truth, frame, ends),
+                                                ViewOf(camera, truth, frame + 10, ends),
+                                                (ends[0] - ends[1]).norm())});
+  }
+  const CommandResult run = RunOn(Street(), result, options);
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("in meters, scale from the size of an object, ± "));
+  EXPECT_LT(MetricError(result, Truth()), 0.02 * 30);
+  const auto summary = nlohmann::json::parse(ReadText(result / "summary.json"));
+  EXPECT_EQ(summary["known_size"], nlohmann::json({options[1], options[3]}));
+  EXPECT_EQ(summary["segments"][0]["scale"]["from"], "known_size");
+}
+
+TEST_F(Pipeline, AMalformedKnownSizeIsAnErrorBeforeTheRun) {
+  for (const char* text : {"", "1,2,3,4,5,6", "1,2,3,4,5,6,7,8,9,x,1", "1,2,3,4,5,6,7,8,9,10,0",
+                           "1,2,3,4,5,6,7,8,9,10,11,12"}) {
+    const CommandResult run = RunOn(Street(), *folder_ / "malformed", {"--known-size", text});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, testing::HasSubstr("--known-size")) << text;
+    EXPECT_FALSE(fs::exists(*folder_ / "malformed"));
+  }
+}
+
 TEST_F(Pipeline, ADistanceThatDeterminesNoScaleIsAWarning) {
   const fs::path result = *folder_ / "no_distance";
   const CommandResult run = RunOn(Street(), result, {"--known-distance", "5,300,2"});

@@ -13,8 +13,14 @@ std::string_view ToString(ScaleSource source) {
       return "camera_height";
     case ScaleSource::kKnownDistance:
       return "known_distance";
+    case ScaleSource::kKnownSize:
+      return "known_size";
   }
   return "unknown";
+}
+
+bool IsMetric(ScaleSource source) {
+  return source != ScaleSource::kArbitrary && source != ScaleSource::kMedianSpeed;
 }
 
 }  // namespace corvo

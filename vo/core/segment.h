@@ -15,10 +15,14 @@ enum class ScaleSource : std::uint8_t {
   kMedianSpeed,    ///< The camera was assumed to move on at its median speed before the loss.
   kCameraHeight,   ///< In meters: the height of the camera above the ground is known.
   kKnownDistance,  ///< In meters: the distance between two positions of the camera is known.
+  kKnownSize,      ///< In meters: the size of an object is known.
 };
 
-/// Returns "arbitrary", "median_speed", "camera_height" or "known_distance".
+/// Returns "arbitrary", "median_speed", "camera_height", "known_distance" or "known_size".
 std::string_view ToString(ScaleSource source);
+
+/// Returns whether lengths are in meters.
+bool IsMetric(ScaleSource source);
 
 /// The scale of a segment relative to that of the segment before or, if it is known, to the meter.
 struct SegmentScale {

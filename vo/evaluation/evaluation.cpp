@@ -288,8 +288,7 @@ RelativeError RelativeErrorOverTime(const std::vector<PosePair>& aligned_pairs, 
 }
 
 RelativeError RelativeErrorOverPath(const std::vector<PosePair>& aligned_pairs, double delta) {
-  CheckRange("delta", delta, std::numeric_limits<double>::min(),
-             std::numeric_limits<double>::max());
+  CheckPositive("delta", delta);
   const std::vector<double> path = PathTo(aligned_pairs, &PosePair::truth_from_camera);
   std::vector<std::pair<int, int>> motions;
   int from = 0;

@@ -2,7 +2,6 @@
 #include "vo/offline/log_check.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -88,8 +87,7 @@ class LogCheck {
     CheckId(where + "landmark", observation.landmark, map_.num_landmark_ids());
     if (!map_.camera().Contains(observation.pixel))
       throw Error(where + "a pixel is not in the image");
-    CheckRange(where + "sigma_px", observation.sigma_px, std::numeric_limits<double>::min(),
-               std::numeric_limits<double>::max());
+    CheckPositive(where + "sigma_px", observation.sigma_px);
   }
 
   const Map& map_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,10 +14,6 @@ namespace corvo {
 namespace {
 
 using FrameScales = std::vector<std::optional<FrameScale>>;
-
-void CheckPositive(const char* name, double value) {
-  CheckRange(name, value, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
-}
 
 std::vector<PassedPoint> PassAll(const CameraPath& path, int segment,
                                  const std::vector<PointInSegment>& points) {
@@ -40,15 +35,29 @@ void SetScale(const Trajectory& trajectory, int segment, const CameraPath& path,
   }
 }
 
-const FrameResult& PosedFrame(const Trajectory& trajectory, int index) {
-  const int num_frames = static_cast<int>(trajectory.frames.size());
-  if (index < 0 || index >= num_frames) {
-    throw Error(
-        fmt::format("known distance: frame {} is not one of 0 to {}", index, num_frames - 1));
+/// Returns the scale of a frame between or beside measurements of its segment, in order.
+FrameScale Interpolate(const std::vector<ScaleMeasurement>& measurements, double frame) {
+  const auto after = std::ranges::upper_bound(measurements, frame, {}, &ScaleMeasurement::frame);
+  if (after == measurements.begin()) return measurements.front().scale;
+  if (after == measurements.end()) return measurements.back().scale;
+  const ScaleMeasurement &a = *(after - 1), &b = *after;
+  const double weight = (frame - a.frame) / (b.frame - a.frame);
+  return {std::pow(a.scale.meters_per_unit, 1 - weight) * std::pow(b.scale.meters_per_unit, weight),
+          std::hypot((1 - weight) * a.scale.log_sigma, weight * b.scale.log_sigma)};
+}
+
+/// Returns measurements by segment, in the order of their frames.
+std::map<int, std::vector<ScaleMeasurement>> BySegment(
+    const std::vector<ScaleMeasurement>& measurements) {
+  std::map<int, std::vector<ScaleMeasurement>> by_segment;
+  for (const ScaleMeasurement& m : measurements) by_segment[m.segment].push_back(m);
+  for (auto& [segment, ordered] : by_segment) {
+    std::ranges::sort(ordered, {}, &ScaleMeasurement::frame);
+    const auto equal = std::ranges::adjacent_find(ordered, {}, &ScaleMeasurement::frame);
+    if (equal == ordered.end()) continue;
+    throw Error(fmt::format("two known lengths give the scale of frame {:g}", equal->frame));
   }
-  const FrameResult& frame = trajectory.frames[index];
-  if (frame.world_from_camera) return frame;
-  throw Error(fmt::format("known distance: frame {} has no pose", index));
+  return by_segment;
 }
 
 /// Returns, by the index of the frame, the offset to add to scaled positions near it: with it, each
@@ -124,24 +133,15 @@ MetricScale ScaleOfCameraHeight(const Trajectory& trajectory,
   return scale;
 }
 
-MetricScale ScaleOfDistance(const Trajectory& trajectory, const KnownDistance& known) {
-  CheckPositive("known distance", known.meters);
-  const FrameResult& first = PosedFrame(trajectory, known.first_frame);
-  const FrameResult& second = PosedFrame(trajectory, known.second_frame);
-  if (first.segment != second.segment) {
-    throw Error(fmt::format("known distance: the frames {} and {} are of different segments",
-                            first.index, second.index));
-  }
-  const double units =
-      (first.world_from_camera->translation() - second.world_from_camera->translation()).norm();
-  if (units == 0) {
-    throw Error(fmt::format("known distance: the camera did not move from frame {} to {}",
-                            first.index, second.index));
-  }
-  MetricScale scale = ConstantScale(trajectory, known.meters / units);
-  scale.source = ScaleSource::kKnownDistance;
+MetricScale InterpolateScale(const Trajectory& trajectory,
+                             const std::vector<ScaleMeasurement>& measurements,
+                             ScaleSource source) {
+  const auto by_segment = BySegment(measurements);
+  MetricScale scale{FrameScales(trajectory.frames.size()), source};
   for (const FrameResult& frame : trajectory.frames) {
-    if (frame.segment != first.segment) scale.frames[frame.index].reset();
+    const auto measured = by_segment.find(frame.segment);
+    if (!frame.world_from_camera || measured == by_segment.end()) continue;
+    scale.frames[frame.index] = Interpolate(measured->second, frame.index);
   }
   return scale;
 }

@@ -38,18 +38,20 @@ MetricScale ConstantScale(const Trajectory& trajectory, double meters_per_unit);
 MetricScale ScaleOfCameraHeight(const Trajectory& trajectory,
                                 const std::vector<PointInSegment>& points, double height_m);
 
-/// A distance between the positions of the camera at two frames.
-struct KnownDistance {
-  int first_frame = 0;
-  int second_frame = 0;
-  double meters = 0;
+/// The scale of a segment, measured at one place of it.
+struct ScaleMeasurement {
+  int segment = 0;
+  double frame = 0;  ///< Index of the frame; between two frames, a number between their indices.
+  FrameScale scale;
 };
 
-/// Returns the scale with which the positions of two frames have a known distance, for all frames
-/// of their segment. The drift of the scale is unknown and not undone. Throws corvo::Error if the
-/// frames have no poses, are of different segments or have the same position, or unless the
-/// distance is finite and above 0.
-MetricScale ScaleOfDistance(const Trajectory& trajectory, const KnownDistance& known);
+/// Returns a scale that passes through measurements: between two of a segment, its logarithm is
+/// linear in the index of the frame, so that a drift of the scale between them is undone; before
+/// the first and after the last it is constant. Segments without a measurement have no scale. The
+/// standard deviations follow from those of the measurements. Throws corvo::Error if two
+/// measurements of a segment are of the same frame.
+MetricScale InterpolateScale(const Trajectory& trajectory,
+                             const std::vector<ScaleMeasurement>& measurements, ScaleSource source);
 
 /// Brings a trajectory and its map to meters. Each step between frames is multiplied by its scale,
 /// so that a drift of the scale is undone along the path. Rotations do not change.

@@ -8,7 +8,7 @@ from corvo.result import Result
 
 _INPUT_KEYS = (
     "start", "every", "count", "resize", "mask", "fps", "times", "bits", "topic",
-    "meters_per_unit", "camera_height", "known_distance",
+    "meters_per_unit", "camera_height", "known_distance", "known_size",
 )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ from corvo.report.world import Axes, find_axes
 from corvo.result import Result
 
 _Truth = str | PathLike[str]
-_METRIC_SOURCES = ("camera_height", "known_distance")
+_METRIC_SOURCES = ("camera_height", "known_distance", "known_size")
 
 
 @dataclass(frozen=True)

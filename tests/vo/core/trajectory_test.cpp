@@ -56,6 +56,7 @@ TEST(SegmentTest, SourcesOfTheScaleHaveNames) {
   EXPECT_EQ(ToString(ScaleSource::kMedianSpeed), "median_speed");
   EXPECT_EQ(ToString(ScaleSource::kCameraHeight), "camera_height");
   EXPECT_EQ(ToString(ScaleSource::kKnownDistance), "known_distance");
+  EXPECT_EQ(ToString(ScaleSource::kKnownSize), "known_size");
 }
 
 TEST(FrameResultTest, StatesAndReasonsHaveUniqueNames) {

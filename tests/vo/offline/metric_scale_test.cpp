@@ -92,33 +92,40 @@ TEST(MetricScaleTest, TheErrorOfTheScaleLengthensRelativePoses) {
   EXPECT_TRUE((covariance.bottomRightCorner<3, 3>().isIdentity()));
 }
 
-TEST(MetricScaleTest, AKnownDistanceIsThatOfItsSegment) {
+TEST(MetricScaleTest, AMeasuredScaleIsThatOfItsSegment) {
   const Trajectory units = SixFrames();
-  const MetricTransform metric(units, ScaleOfDistance(units, {0, 2, 5}));
+  const MetricTransform metric(
+      units, InterpolateScale(units, {{0, 1, {2.5, 0}}}, ScaleSource::kKnownDistance));
   EXPECT_THAT(metric.MetersPerUnit(), testing::ElementsAre(2.5, 2.5, 2.5, 1, 1, 1));
   const std::vector<Segment> segments = metric.Apply(units).Segments();
   EXPECT_EQ(segments[0].scale.source, ScaleSource::kKnownDistance);
   EXPECT_EQ(segments[1].scale.source, ScaleSource::kArbitrary);
 }
 
-TEST(MetricScaleTest, RejectsDistancesThatDetermineNoScale) {
+TEST(MetricScaleTest, BetweenMeasurementsItsLogarithmIsLinear) {
   Trajectory units = SixFrames();
-  units.frames[1].world_from_camera.reset();
-  units.frames[4].world_from_camera = units.frames[3].world_from_camera;
-  const auto error = [&](int first, int second, double meters, const char* message) {
-    EXPECT_THAT(
-        [&] {
-          ScaleOfDistance(units, {first, second, meters});
-        },
-        ThrowsError("known distance", message));
+  for (FrameResult& frame : units.frames) frame.segment = 0;
+  const MetricScale scale =
+      InterpolateScale(units, {{0, 4, {8, 0.1}}, {0, 1.5, {0.25, 0.2}}}, ScaleSource::kKnownSize);
+  const auto expect = [&](int frame, double meters_per_unit, double log_sigma) {
+    EXPECT_NEAR(scale.frames[frame]->meters_per_unit, meters_per_unit, 1e-12) << frame;
+    EXPECT_NEAR(scale.frames[frame]->log_sigma, log_sigma, 1e-12) << frame;
   };
-  error(0, 1, 5, "frame 1 has no pose");
-  error(0, 6, 5, "frame 6 is not one of 0 to 5");
-  error(-1, 0, 5, "frame -1 is not one of 0 to 5");
-  error(0, 3, 5, "different segments");
-  error(3, 4, 5, "did not move");
-  error(0, 2, kNaN, "nan");
-  error(0, 2, 0, "0");
+  expect(0, 0.25, 0.2);
+  expect(1, 0.25, 0.2);
+  expect(2, 0.5, std::hypot(0.8 * 0.2, 0.2 * 0.1));
+  expect(3, 2, std::hypot(0.4 * 0.2, 0.6 * 0.1));
+  expect(4, 8, 0.1);
+  expect(5, 8, 0.1);
+}
+
+TEST(MetricScaleTest, RejectsTwoMeasurementsOfOneFrame) {
+  EXPECT_THAT(
+      [] {
+        InterpolateScale(SixFrames(), {{0, 1, {2, 0}}, {1, 1, {2, 0}}, {0, 1, {3, 0}}},
+                         ScaleSource::kKnownSize);
+      },
+      ThrowsError("two known lengths", "frame 1"));
 }
 
 TEST(MetricScaleTest, RejectsScalesThatAreNotPositive) {

@@ -9,7 +9,7 @@
 namespace corvo {
 namespace {
 
-constexpr int kNumViews = 12;
+constexpr int kNumMoved = 12;
 
 Camera BentCamera(double k1) {
   CameraParameters parameters = test::PinholeCamera().parameters();
@@ -33,7 +33,7 @@ double SumOfErrors(const Camera& camera, Bundle bundle) {
 TEST(CameraMoveTest, NoiseOfTheObservationsHasNoPart) {
   test::Random random(1);
   const Camera camera = test::PinholeCamera();
-  Bundle exact = test::MakeObservedBundle(camera, kNumViews, 0, random);
+  Bundle exact = test::MakeObservedBundle(camera, kNumMoved, 0, random);
   Bundle noisy = exact;
   for (Bundle::Observation& observation : noisy.observations) {
     observation.pixel += random.Vector<2>(0.5);
@@ -41,7 +41,7 @@ TEST(CameraMoveTest, NoiseOfTheObservationsHasNoPart) {
   const Camera after = BentCamera(0.002);
   ASSERT_TRUE(IsUsable(MoveToCamera(camera, after, FewPoints(), exact)));
   ASSERT_TRUE(IsUsable(MoveToCamera(camera, after, FewPoints(), noisy)));
-  for (int i = 0; i < kNumViews; ++i) {
+  for (int i = 0; i < kNumMoved; ++i) {
     EXPECT_EQ(noisy.views[i].local_from_camera, exact.views[i].local_from_camera) << i;
   }
 }
@@ -49,7 +49,7 @@ TEST(CameraMoveTest, NoiseOfTheObservationsHasNoPart) {
 TEST(CameraMoveTest, TheNewCameraSeesThePointsMoreAlike) {
   test::Random random(2);
   const Camera camera = test::PinholeCamera();
-  const Bundle before = test::MakeObservedBundle(camera, kNumViews, 0, random);
+  const Bundle before = test::MakeObservedBundle(camera, kNumMoved, 0, random);
   Bundle moved = before;
   const Camera after = BentCamera(0.002);
   ASSERT_TRUE(IsUsable(MoveToCamera(camera, after, FewPoints(), moved)));
@@ -59,14 +59,14 @@ TEST(CameraMoveTest, TheNewCameraSeesThePointsMoreAlike) {
 TEST(CameraMoveTest, ThereAndBackIsAsBefore) {
   test::Random random(3);
   const Camera camera = test::PinholeCamera(), after = BentCamera(0.002);
-  const Bundle before = test::MakeObservedBundle(camera, kNumViews, 0.5, random);
+  const Bundle before = test::MakeObservedBundle(camera, kNumMoved, 0.5, random);
   Bundle moved = before;
   ASSERT_TRUE(IsUsable(MoveToCamera(camera, after, FewPoints(), moved)));
   const Bundle there = moved;
   ASSERT_TRUE(IsUsable(MoveToCamera(after, camera, FewPoints(), moved)));
-  const SE3 middle = before.views[kNumViews / 2].Pose();
+  const SE3 middle = before.views[kNumMoved / 2].Pose();
   const auto distance = [&](const Bundle& bundle) {
-    return (bundle.views[kNumViews / 2].Pose().Inverse() * middle).Log().norm();
+    return (bundle.views[kNumMoved / 2].Pose().Inverse() * middle).Log().norm();
   };
   EXPECT_GT(distance(there), 1e-3);
   EXPECT_LT(distance(moved), 0.05 * distance(there));
@@ -75,7 +75,7 @@ TEST(CameraMoveTest, ThereAndBackIsAsBefore) {
 TEST(CameraMoveTest, OutliersAreThoseOfTheObservations) {
   test::Random random(4);
   const Camera camera = test::PinholeCamera();
-  Bundle bundle = test::MakeObservedBundle(camera, kNumViews, 0.1, random);
+  Bundle bundle = test::MakeObservedBundle(camera, kNumMoved, 0.1, random);
   bundle.observations[7].pixel.x() += 5;
   ASSERT_TRUE(IsUsable(MoveToCamera(camera, camera, FewPoints(), bundle)));
   EXPECT_FALSE(bundle.observations[7].is_inlier);
