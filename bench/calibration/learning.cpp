@@ -47,7 +47,7 @@ std::vector<std::string> ScenariosOf(const std::vector<LearningTrial>& trials) {
 std::string SwapLine(const std::string& scenario, const std::vector<LearningTrial>& trials) {
   std::vector<double> fixed, estimated, swapped, kept;
   for (const LearningTrial& trial : trials) {
-    if (trial.scenario != scenario || !trial.is_judged || std::isnan(trial.swapped.ate)) continue;
+    if (trial.scenario != scenario || std::isnan(trial.swapped.ate)) continue;
     fixed.push_back(trial.fixed.ate);
     estimated.push_back(trial.estimated.ate);
     swapped.push_back(trial.swapped.ate);
@@ -78,15 +78,14 @@ std::string Panel(int index, const LearningTrial& trial) {
 
 }  // namespace
 
-LearningTrial RunLearningTrial(const Scenario& scenario, const Perturbation& perturbation,
+LearningTrial RunLearningTrial(const Scenario& scenario, int start,
                                const OdometryOptions& options) {
-  const Recording recording = Perturb(scenario.make(), perturbation);
+  const Recording recording = StartAt(scenario.make(), start);
   const CameraPrior prior = MakePrior(recording.camera.parameters(), options.calibration);
   const Eigen::Index k1 = IndexOfK1(prior);
   LearningTrial trial;
   trial.scenario = scenario.title;
-  trial.perturbation = perturbation.title;
-  trial.is_judged = perturbation.is_judged;
+  trial.start = start;
   trial.fixed = RunWithCamera(recording, {prior.given, {}}, options);
   trial.estimated = RunWithCamera(recording, prior, options, false, [&](const Odometry& odometry) {
     const CameraEstimate& estimate = odometry.camera_estimate();
@@ -97,9 +96,9 @@ LearningTrial RunLearningTrial(const Scenario& scenario, const Perturbation& per
   return trial;
 }
 
-CameraRun RunSwapped(const Scenario& scenario, const Perturbation& perturbation,
-                     const Eigen::VectorXd& difference, const OdometryOptions& options) {
-  const Recording recording = Perturb(scenario.make(), perturbation);
+CameraRun RunSwapped(const Scenario& scenario, int start, const Eigen::VectorXd& difference,
+                     const OdometryOptions& options) {
+  const Recording recording = StartAt(scenario.make(), start);
   const CameraPrior prior = MakePrior(recording.camera.parameters(), options.calibration);
   return RunWithCamera(recording, {prior.Apply(difference), {}}, options);
 }
@@ -112,7 +111,7 @@ int FirstFrameWithin(const std::vector<double>& values, double min, double max) 
 
 std::string LearningTable(const std::vector<LearningTrial>& trials) {
   std::string table = fmt::format(
-      "| scenario | perturbation | frames | k1 in {} - {} from frame | asked for | k1 from there "
+      "| scenario | start | frames | k1 in {} - {} from frame | asked for | k1 from there "
       "on | k1 at the end |\n|---|---|---|---|---|---|---|\n",
       kMinK1, kMaxK1);
   for (const LearningTrial& trial : trials) {
@@ -120,8 +119,7 @@ std::string LearningTable(const std::vector<LearningTrial>& trials) {
     const int required = RequiredFrame(trial.scenario);
     const int num_frames = static_cast<int>(trial.k1.size());
     table += fmt::format("| {} | {} | {} | {} | {} | {} | {:.4f} ± {:.4f} |\n", trial.scenario,
-                         trial.perturbation, num_frames,
-                         first < num_frames ? std::to_string(first) : "-",
+                         trial.start, num_frames, first < num_frames ? std::to_string(first) : "-",
                          required > 0 ? std::to_string(required) : "-",
                          RangeFrom(trial.k1, required), trial.k1.back(), trial.k1_sigma.back());
   }

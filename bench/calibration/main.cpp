@@ -3,7 +3,6 @@
 #include <exception>
 #include <fstream>
 #include <functional>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,6 @@ struct Arguments {
   std::string config;
   std::string json;
   std::string plot;
-  std::string perturbations;
   int jobs = 2;
   int runs = 100;
   int blind_runs = 10;
@@ -70,7 +68,7 @@ std::vector<ConsistencyTrial> RunConsistencyTrials(const Arguments& arguments,
 
 /// The titles of the two scenarios that swap cameras: each runs with the other's estimate.
 const std::vector<std::string> kSwapped = {"KITTI 03, nominal", "KITTI 05, nominal"};
-const std::string kStraightOn = "KITTI 06, nominal";  ///< A straight drive: one perturbation only.
+const std::string kStraightOn = "KITTI 06, nominal";  ///< A straight drive: one start only.
 
 bool IsLearnt(const Scenario& scenario) {
   return std::find(kSwapped.begin(), kSwapped.end(), scenario.title) != kSwapped.end() ||
@@ -79,32 +77,27 @@ bool IsLearnt(const Scenario& scenario) {
 
 struct Case {
   Scenario scenario;
-  Perturbation perturbation;
+  int start = 0;
 };
 
-std::vector<Case> LearningCases(const Arguments& arguments) {
+std::vector<Case> LearningCases() {
   std::vector<Case> cases;
   for (const Scenario& scenario : RecordedScenarios()) {
     if (!IsLearnt(scenario)) continue;
-    for (const Perturbation& perturbation : scenario.perturbations) {
-      const bool is_meant =
-          std::regex_search(perturbation.title, std::regex(arguments.perturbations));
-      const bool is_first = perturbation.title == Perturbation().title;
-      if (is_meant && (scenario.title != kStraightOn || is_first)) {
-        cases.push_back({scenario, perturbation});
-      }
+    for (const int start : scenario.starts) {
+      if (scenario.title != kStraightOn || start == 0) cases.push_back({scenario, start});
     }
   }
   return cases;
 }
 
-/// Returns the trial of the other scenario under the same perturbation, or null if there is none.
+/// Returns the trial of the other scenario from the same image on, or null if there is none.
 const LearningTrial* FindOther(const LearningTrial& trial,
                                const std::vector<LearningTrial>& trials) {
   if (trial.scenario == kStraightOn) return nullptr;
   for (const LearningTrial& other : trials) {
     if (other.scenario != trial.scenario && other.scenario != kStraightOn &&
-        other.perturbation == trial.perturbation) {
+        other.start == trial.start) {
       return &other;
     }
   }
@@ -113,10 +106,10 @@ const LearningTrial* FindOther(const LearningTrial& trial,
 
 std::vector<LearningTrial> RunLearningTrials(const Arguments& arguments,
                                              const OdometryOptions& options) {
-  const std::vector<Case> cases = LearningCases(arguments);
+  const std::vector<Case> cases = LearningCases();
   std::vector<std::function<LearningTrial()>> tasks;
   for (const Case& each : cases) {
-    tasks.push_back([&] { return RunLearningTrial(each.scenario, each.perturbation, options); });
+    tasks.push_back([&] { return RunLearningTrial(each.scenario, each.start, options); });
   }
   std::vector<LearningTrial> trials = RunAll(tasks, arguments.jobs);
   std::vector<std::function<CameraRun()>> swaps;
@@ -126,8 +119,7 @@ std::vector<LearningTrial> RunLearningTrials(const Arguments& arguments,
     if (other == nullptr) continue;
     swapped.push_back(&trials[i].swapped);
     swaps.push_back([&each = cases[i], &options, other] {
-      return RunSwapped(each.scenario, each.perturbation, other->estimated.estimate.difference,
-                        options);
+      return RunSwapped(each.scenario, each.start, other->estimated.estimate.difference, options);
     });
   }
   const std::vector<CameraRun> runs = RunAll(swaps, arguments.jobs);
@@ -135,11 +127,11 @@ std::vector<LearningTrial> RunLearningTrials(const Arguments& arguments,
   return trials;
 }
 
-/// Draws k1 of the unperturbed sequences.
+/// Draws k1 of the sequences from their first images on.
 void Plot(const std::vector<LearningTrial>& trials, const std::string& file) {
   std::vector<LearningTrial> drawn;
   for (const LearningTrial& trial : trials) {
-    if (trial.perturbation == Perturbation().title) drawn.push_back(trial);
+    if (trial.start == 0) drawn.push_back(trial);
   }
   if (!DrawLearning(drawn, file)) throw Error(file + ": gnuplot is missing or fails");
 }
@@ -158,8 +150,6 @@ void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--frames", arguments.frames, "of a rendered sequence")
       ->check(CLI::Range(2, 100'000));
   app.add_flag("--refine", arguments.refine, "also rendered scenes after refinement");
-  app.add_option("--perturbations", arguments.perturbations,
-                 "of the recorded sequences, those whose title matches this expression");
 }
 
 int Main(int argc, char** argv) {

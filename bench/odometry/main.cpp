@@ -3,6 +3,7 @@
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <numeric>
 #include <regex>
 #include <string>
 #include <type_traits>
@@ -25,12 +26,11 @@ namespace {
 
 struct Arguments {
   std::string scenarios;
-  std::string perturbations;
   std::string config;
   std::vector<std::string> settings;
   std::string json;
   int jobs = 2;
-  int starts = 0;
+  int num_starts = 0;
   int endurance_frames = 0;
   bool rendered = false;
   bool cost = false;
@@ -60,7 +60,9 @@ std::vector<Scenario> SelectScenarios(const Arguments& arguments) {
       const bool is_rendered = scenario.title.rfind("rendered", 0) == 0;
       if (!arguments.rendered && is_rendered) continue;
       selected.push_back(scenario);
-      if (arguments.starts > 0) selected.back().perturbations = StartFrames(arguments.starts);
+      if (arguments.num_starts == 0) continue;
+      selected.back().starts.resize(arguments.num_starts);
+      std::iota(selected.back().starts.begin(), selected.back().starts.end(), 0);
     }
   }
   return selected;
@@ -71,11 +73,10 @@ std::vector<Trial> RunTrials(const std::vector<Scenario>& scenarios, const Argum
   std::vector<Trial> trials;
   std::vector<std::function<std::string()>> tasks;
   for (const Scenario& scenario : scenarios) {
-    for (const Perturbation& perturbation : scenario.perturbations) {
-      if (!std::regex_search(perturbation.title, std::regex(arguments.perturbations))) continue;
-      trials.push_back({scenario.title, perturbation, {}});
-      tasks.push_back([make = scenario.make, perturbation, options, refine = arguments.refine] {
-        return ToBytes(RunTrial(Perturb(make(), perturbation), options, refine));
+    for (const int start : scenario.starts) {
+      trials.push_back({scenario.title, start, {}});
+      tasks.push_back([make = scenario.make, start, options, refine = arguments.refine] {
+        return ToBytes(RunTrial(StartAt(make(), start), options, refine));
       });
     }
   }
@@ -134,9 +135,8 @@ OdometryOptions MakeOptions(const Arguments& arguments) {
 
 void AddOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--scenarios", arguments.scenarios, "those whose title matches this expression");
-  app.add_option("--perturbations", arguments.perturbations, "those whose title matches");
-  app.add_option("--starts", arguments.starts,
-                 "begin at each of so many first images instead of the perturbations")
+  app.add_option("--starts", arguments.num_starts,
+                 "begin at each of so many first images instead of five of them")
       ->check(CLI::Range(1, 1000));
   app.add_option("--config", arguments.config, "options file instead of the defaults");
   app.add_option("--set", arguments.settings,
@@ -161,7 +161,7 @@ void WriteJson(const std::string& file, const std::vector<Trial>& trials) {
 }
 
 int Main(int argc, char** argv) {
-  CLI::App app("Accuracy, completeness and cost of corvo's odometry on perturbed sequences.");
+  CLI::App app("Accuracy, completeness and cost of corvo's odometry from several first images.");
   Arguments arguments;
   AddOptions(app, arguments);
   CLI11_PARSE(app, argc, argv);

@@ -33,6 +33,14 @@ Recording ReadRecording(const RecordingFiles& files, int max_count) {
   return recording;
 }
 
+Recording StartAt(const Recording& recording, int start) {
+  CheckRange("start", start, 0, recording.size() - 1);
+  Recording shortened = recording;
+  shortened.times.erase(shortened.times.begin(), shortened.times.begin() + start);
+  shortened.image = [start, image = recording.image](int i) { return image(start + i); };
+  return shortened;
+}
+
 Recording RenderRecording(const synthetic::Sequence& sequence) {
   Recording recording{sequence.camera(), {}, sequence.poses(), {}};
   for (const TimedPose& pose : sequence.poses()) recording.times.push_back(pose.time_ns);

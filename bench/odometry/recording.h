@@ -35,6 +35,9 @@ struct RecordingFiles {
 /// no calibration.
 Recording ReadRecording(const RecordingFiles& files, int max_count);
 
+/// Returns the recording without its first `start` images. Throws corvo::Error unless one is left.
+Recording StartAt(const Recording& recording, int start);
+
 /// Returns a recording whose images are rendered on each access.
 Recording RenderRecording(const synthetic::Sequence& sequence);
 

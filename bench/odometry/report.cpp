@@ -46,7 +46,7 @@ std::string SummaryLine(const std::string& scenario, const std::vector<Trial>& t
   std::vector<const TrialResult*> results;
   std::vector<double> losses;
   for (const Trial& trial : trials) {
-    if (trial.scenario != scenario || !trial.perturbation.is_judged) continue;
+    if (trial.scenario != scenario) continue;
     results.push_back(&trial.result);
     losses.push_back(trial.result.losses);
   }
@@ -86,15 +86,14 @@ std::string SummaryTable(const std::vector<Trial>& trials) {
 
 std::string TrialTable(const std::vector<Trial>& trials) {
   std::string table =
-      "| scenario | perturbation | ATE, m | posed, % | losses | scale | rotation, ° over 1 s | ms "
+      "| scenario | start | ATE, m | posed, % | losses | scale | rotation, ° over 1 s | ms "
       "a "
       "frame |\n|---|---|---|---|---|---|---|---|\n";
   for (const Trial& trial : trials) {
     const TrialResult& result = trial.result;
     table +=
-        fmt::format("| {} | {}{} | {} | {:.1f} | {} | {} | {} | {:.1f} |\n", trial.scenario,
-                    trial.perturbation.title, trial.perturbation.is_judged ? "" : " (not judged)",
-                    Format(result.ate, 4), 100 * result.posed_share, result.losses,
+        fmt::format("| {} | {} | {} | {:.1f} | {} | {} | {} | {:.1f} |\n", trial.scenario,
+                    trial.start, Format(result.ate, 4), 100 * result.posed_share, result.losses,
                     Format(result.scale_drift, 3), Format(result.rotation_deg, 2), result.wall_ms);
   }
   return table;
@@ -105,8 +104,7 @@ nlohmann::ordered_json ToJson(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials) {
     const TrialResult& result = trial.result;
     json.push_back({{"scenario", trial.scenario},
-                    {"perturbation", trial.perturbation.title},
-                    {"is_judged", trial.perturbation.is_judged},
+                    {"start", trial.start},
                     {"frames", result.frames},
                     {"posed_share", result.posed_share},
                     {"rotation_share", result.rotation_share},

@@ -6,20 +6,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/odometry/perturbation.h"
 #include "bench/odometry/trial.h"
 
 namespace corvo::bench {
 
-/// The result of a scenario under one perturbation.
+/// The result of a scenario from one image on.
 struct Trial {
   std::string scenario;
-  Perturbation perturbation;
+  int start = 0;  ///< Index of the first image.
   TrialResult result;
 };
 
-/// Returns a Markdown table with a line for each scenario, in order of appearance: the medians over
-/// the judged perturbations and, in brackets, the worst values.
+/// Returns a Markdown table with a line for each scenario, in order of appearance: the medians
+/// over the starts and, in brackets, the worst values.
 std::string SummaryTable(const std::vector<Trial>& trials);
 
 /// Returns a Markdown table with a line for each trial.

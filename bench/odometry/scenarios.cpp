@@ -20,22 +20,14 @@ Scenario Recorded(std::string title, const std::string& folder, const std::strin
   files.folder = test::DataPath(folder);
   if (!truth.empty()) files.truth = test::DataPath(truth);
   if (!camera.empty()) files.camera = ShippedCamera(camera);
-  return {std::move(title), [files, max_count] { return ReadRecording(files, max_count); },
-          PerturbationSet()};
+  return {std::move(title),
+          [files, max_count] { return ReadRecording(files, max_count); },
+          {0, 3, 7, 13, 20}};
 }
 
 Scenario RecordedKitti(const std::string& number, const std::string& camera) {
   return Recorded("KITTI " + number + (camera.empty() ? ", nominal" : ", with distortion"),
                   "kitti/sequences/" + number, "kitti/poses/" + number + ".txt", camera);
-}
-
-/// Excludes half the frame rate from the medians: the car turns or drives too far between two
-/// images.
-Scenario OnlyReportHalfRate(Scenario scenario) {
-  for (Perturbation& perturbation : scenario.perturbations) {
-    perturbation.is_judged = perturbation.stride == 1;
-  }
-  return scenario;
 }
 
 /// Returns a recording of `frames` images that repeats another, without ground truth. Images are
@@ -58,10 +50,10 @@ std::vector<Scenario> RecordedScenarios() {
   return {
       RecordedKitti("03", "kitti_03_distorted.yaml"),
       RecordedKitti("03", ""),
-      OnlyReportHalfRate(RecordedKitti("05", "kitti_04-12_distorted.yaml")),
-      OnlyReportHalfRate(RecordedKitti("05", "")),
-      OnlyReportHalfRate(RecordedKitti("06", "kitti_04-12_distorted.yaml")),
-      OnlyReportHalfRate(RecordedKitti("06", "")),
+      RecordedKitti("05", "kitti_04-12_distorted.yaml"),
+      RecordedKitti("05", ""),
+      RecordedKitti("06", "kitti_04-12_distorted.yaml"),
+      RecordedKitti("06", ""),
       Recorded("7-Scenes redkitchen", "7scenes/redkitchen", "7scenes/redkitchen/groundtruth.txt",
                "7scenes.yaml"),
       Recorded("EuRoC MH_01", euroc, euroc + "/state_groundtruth_estimate0/data.csv", ""),
@@ -86,8 +78,8 @@ std::vector<Scenario> RenderedScenarios() {
     options.turn = {16, 2};
     return RenderRecording(synthetic::MakeRoom(options));
   };
-  return {{"rendered street, 2 km, 20% moving", street, {Perturbation()}},
-          {"rendered room, 3 s dark, 2 s blur, fast turn", room, {Perturbation()}}};
+  return {{"rendered street, 2 km, 20% moving", street},
+          {"rendered room, 3 s dark, 2 s blur, fast turn", room}};
 }
 
 std::vector<Scenario> EnduranceScenarios(int frames) {
@@ -103,8 +95,7 @@ std::vector<Scenario> EnduranceScenarios(int frames) {
     options.width = 320;
     return RenderRecording(synthetic::MakeRoom(options));
   };
-  return {{"street, again and again", street, {Perturbation()}},
-          {"room, round and round", room, {Perturbation()}}};
+  return {{"street, again and again", street}, {"room, round and round", room}};
 }
 
 }  // namespace corvo::bench

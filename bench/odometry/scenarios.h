@@ -5,19 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "bench/odometry/perturbation.h"
 #include "bench/odometry/recording.h"
 
 namespace corvo::bench {
 
-/// A recording and the perturbations that are applied to it.
+/// A recording and the images that runs of it begin with.
 struct Scenario {
   std::string title;
   std::function<Recording()> make;
-  std::vector<Perturbation> perturbations;
+  std::vector<int> starts = {0};
 };
 
-/// Returns the sequences of the test data, each under every perturbation.
+/// Returns the sequences of the test data, each from five images on.
 std::vector<Scenario> RecordedScenarios();
 
 /// Returns endurance scenarios in small images: a drive along a street of a kilometer, repeated

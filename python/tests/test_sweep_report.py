@@ -19,7 +19,7 @@ from test_report_browser import SIZES_OF_DRAWINGS, open_page
 import corvo
 from corvo.sweep.bootstrap import grouped_median_interval, median_interval
 from corvo.sweep.child import Outcome
-from corvo.sweep.files import PAGE, ROWS
+from corvo.sweep.files import MEDIANS, PAGE, ROWS
 from corvo.sweep.inputs import Input
 from corvo.sweep.options import OptionSet
 from corvo.sweep.perturbation import Perturbation
@@ -208,6 +208,26 @@ def test_the_page_shows_medians_failures_and_the_regression(folder: Path) -> Non
     assert "crashing, none" in text
     names = [figure["id"] for figure in figures_of(page)]
     assert names == ["spread-ate", "spread-ate_percent", "cumulative", "coverage"]
+
+
+def test_the_medians_are_tables_in_markdown(folder: Path) -> None:
+    lines = (folder / MEDIANS).read_text().splitlines()
+    assert lines[0].startswith("| median (worst) | options | runs | ATE [m] |")
+    assert any(
+        line.startswith("| street | tracker.min_inliers=15 | 5 | 0.18 (0.21) |") for line in lines
+    )
+    assert any(
+        line.startswith("| crashing | tracker.min_inliers=20 | 2, 1 failed | - |") for line in lines
+    )
+    assert lines[lines.index("") + 1] == (
+        "| cost | processor, ms a frame | memory, MB | time of a run, s |"
+    )
+
+
+def test_names_do_not_break_the_tables(tmp_path: Path) -> None:
+    write(tmp_path, findings_of({"left|right": [outcome_of(0.1)]}))
+    lines = (tmp_path / MEDIANS).read_text().splitlines()
+    assert lines[2].startswith("| left\\|right | base | 1 | 0.1 (0.1) |")
 
 
 def test_the_cumulative_error_counts_runs_without_poses(tmp_path: Path) -> None:

@@ -3,12 +3,12 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import isfinite
 
 from corvo.report.document import make_document
 from corvo.report.figure import Figure
-from corvo.report.html import breakable, details, markup, number, paragraph, table
+from corvo.report.html import breakable, details, markup, paragraph, table
 from corvo.report.section import Section
+from corvo.sweep.cells import heading, interval_text, run_count, spread_text
 from corvo.sweep.child import Outcome
 from corvo.sweep.figures import coverage_figure, cumulative_figure, spread_figure
 from corvo.sweep.metrics import METRICS, Metric
@@ -83,11 +83,11 @@ def _medians(groups: Sequence[Group], metrics: Sequence[Metric]) -> str:
         "Median over the perturbations, and the worst run in brackets. A run that fails or has no "
         "poses counts as the worst. A dash: no ground truth."
     )
-    intervals = _group_table("95% intervals of the medians", groups, metrics, _interval)
+    intervals = _group_table("95% intervals of the medians", groups, metrics, interval_text)
     note = paragraph("From resampled runs (bootstrap).")
     return (
         text
-        + _group_table("Median (worst)", groups, metrics, _spread)
+        + _group_table("Median (worst)", groups, metrics, spread_text)
         + _cut(len(groups))
         + details("95% intervals of the medians", note + intervals)
     )
@@ -100,38 +100,17 @@ def _group_table(
     cell: Callable[[Spread, Metric], str],
 ) -> str:
     has_options = len({group.options for group in groups}) > 1
-    header = ["Sequence", *(["Options"] if has_options else []), "Runs", *map(_heading, metrics)]
+    header = ["Sequence", *(["Options"] if has_options else []), "Runs", *map(heading, metrics)]
     lines = []
     for group in groups[:_MAX_ROWS]:
-        failed = f", {group.num_failed} failed" if group.num_failed else ""
         spreads = [(group.spreads[metric.name], metric) for metric in metrics]
         lines.append((
             group.input,
             *([breakable(group.options)] if has_options else []),
-            f"{group.num_runs}{failed}",
+            run_count(group),
             *(cell(spread, metric) if spread else "-" for spread, metric in spreads),
         ))  # fmt: skip
     return table(caption, header, lines)
-
-
-def _heading(metric: Metric) -> str:
-    return f"{metric.title} [{metric.unit}]" if metric.unit else metric.title
-
-
-def _spread(spread: Spread, metric: Metric) -> str:
-    return f"{_value(spread.median, metric)} ({_value(spread.worst, metric)})"
-
-
-def _interval(spread: Spread, metric: Metric) -> str:
-    return " to ".join(_value(value, metric) for value in spread.interval)
-
-
-def _value(value: float, metric: Metric) -> str:
-    if not isfinite(value):
-        return "unknown"
-    if metric.better == "more":
-        return f"{value:.1%}"
-    return number(value) if metric.unit else f"{value:g}"
 
 
 def _cut(count: int) -> str:
@@ -143,7 +122,7 @@ def _cut(count: int) -> str:
 def _regression(regression: Regression, baseline: str) -> str:
     lines = [
         (
-            _heading(change.metric),
+            heading(change.metric),
             change.num_runs,
             shown(change.median, change.metric),
             " to ".join(shown(value, change.metric) for value in change.interval),

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The files with what a sweep has found: two tables and a page."""
+"""The files with what a sweep has found: tables and a page."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from corvo.files import write_whole
 from corvo.report.page_file import write_page
 from corvo.sweep import tables
 from corvo.sweep.child import Outcome
-from corvo.sweep.files import PAGE, ROWS, RUNS
+from corvo.sweep.files import MEDIANS, PAGE, ROWS, RUNS
+from corvo.sweep.medians import make_medians
 from corvo.sweep.page import Content, make_page
 from corvo.sweep.regression import Regression, compare
 from corvo.sweep.summary import Rows
@@ -36,11 +38,13 @@ def write_results(folder: Path, findings: Findings, baseline: Path | None) -> Re
     tables.write_runs(folder / RUNS, findings.tasks, findings.outcomes)
     rows = Rows(folder / ROWS)
     regression = compare(rows, baseline, findings.metrics) if baseline else None
+    metrics, costs = list(findings.metrics), rows.costs(folder / RUNS)
+    write_whole(folder / MEDIANS, make_medians(rows, metrics, costs).encode())
     content = Content(
         folder.absolute().name,
         rows,
-        list(findings.metrics),
-        rows.costs(folder / RUNS),
+        metrics,
+        costs,
         _failures(findings),
         regression,
         str(baseline),

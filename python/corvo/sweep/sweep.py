@@ -11,7 +11,7 @@ from corvo.files import write_whole
 from corvo.sweep.child import Outcome
 from corvo.sweep.cluster import connect, run_on_cluster
 from corvo.sweep.content import ContentHashes
-from corvo.sweep.files import PAGE, ROWS, RUNS
+from corvo.sweep.files import MEDIANS, PAGE, ROWS, RUNS
 from corvo.sweep.journal import Journal
 from corvo.sweep.plan import Plan
 from corvo.sweep.tasks import Task, build_of_corvo, make_tasks
@@ -66,7 +66,7 @@ class Sweep:
             Error: The baseline cannot be read or has no runs in common.
         """
         # A sweep without news does not take the time to load more than this.
-        files = [self._folder / name for name in ("state", ROWS, RUNS, PAGE)]
+        files = [self._folder / name for name in ("state", ROWS, RUNS, MEDIANS, PAGE)]
         stamp, state = files[0], self._state().encode()
         is_there = all(file.exists() for file in files)
         if not baseline and is_there and stamp.read_bytes() == state:
