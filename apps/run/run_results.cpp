@@ -8,6 +8,7 @@
 
 #include "apps/output/environment.h"
 #include "apps/output/final_map.h"
+#include "apps/output/image_file.h"
 #include "apps/output/json_text.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/segment_report.h"
@@ -80,6 +81,12 @@ CameraFile EstimatedCamera(const CalibrationReport& calibration) {
   return file;
 }
 
+/// Writes where the last image was not searched for features, as --mask takes it; nothing if it
+/// was searched everywhere.
+void WriteMask(const cv::Mat& mask, const OutputFolder& output) {
+  if (!mask.empty()) output.Write("mask.png", EncodeImage(mask != 0, ".png"));
+}
+
 void WriteJson(const nlohmann::ordered_json& json, const char* name, const OutputFolder& output) {
   output.Write(name, JsonText(json));
 }
@@ -108,7 +115,8 @@ OutputPlan PlanOfRun(bool replaces_foreign) {
                 "pose_graph.g2o",
                 "pose_graph_sim3.g2o",
                 "metric_scale.csv",
-                "keyframe_features.npy"};
+                "keyframe_features.npy",
+                "mask.png"};
   plan.numbered_prefix = kSegmentPrefix;
   plan.numbered_suffix = kSegmentSuffix;
   plan.checkpoint = kCheckpointFolder;
@@ -121,6 +129,7 @@ void StageResults(const RunArguments& arguments, const RunInputs& inputs, const 
   WriteTrajectories(record.trajectory, output);
   if (!inputs.truth.poses.empty()) WriteTum(output.Stage("groundtruth.tum"), inputs.truth.poses);
   WriteTables(record, output);
+  WriteMask(record.odometry.last_mask(), output);
   output.Write("config.yaml", WriteOptions(inputs.options));
   output.Write("camera_estimated.yaml", WriteCameraFile(EstimatedCamera(summary.calibration)));
   WriteJson(ToJson(arguments, inputs, summary), "summary.json", output);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The page of `corvo report`: its numbers, texts and errors. A browser opens it in another file."""
 
+import base64
 import json
 import re
 import shutil
@@ -309,8 +310,13 @@ def test_a_camera_without_a_history_has_none_in_the_report(
 
 def test_masked_areas_are_shown_if_there_are_any(command_result: Path, tmp_path: Path) -> None:
     changed = edited(command_result, tmp_path / "masked", "frames.csv", column("masked", "0.25"))
+    Image.fromarray(np.zeros((4, 6), np.uint8)).save(changed.folder / "mask.png")
     sections = {section.name: section for section in make_sections(open_runs([changed], ""))}
-    assert "25.0% in the mean" in sections["masked"].html()
+    html = sections["masked"].html()
+    assert "25.0% in the mean" in html
+    assert "masked: black is what was masked in the last image" in html
+    (png,) = re.findall('<img src="data:image/png;base64,([^"]*)"', html)
+    assert base64.b64decode(png) == (changed.folder / "mask.png").read_bytes()
 
 
 def test_latencies_in_real_time_are_shown(room: Sequence, tmp_path: Path) -> None:

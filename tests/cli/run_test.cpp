@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "apps/run/run_results.h"
@@ -525,6 +526,17 @@ TEST_F(Run, DetectsNoFeaturesUnderTheMask) {
   RunHere({"--mask", folder_ / "mask.png"});
   EXPECT_EQ(Summary()["reasons"]["too_few_features"], 5) << Summary();
   ExpectError(RunHere({"--mask", folder_ / "none.png"}), "none.png");
+}
+
+TEST_F(Run, WritesTheMaskIfAnythingWasMasked) {
+  RunHere();
+  EXPECT_FALSE(fs::exists(result_ / "mask.png"));
+  cv::Mat mask(64, 96, CV_8UC1, cv::Scalar(1));
+  mask.rowRange(40, 64) = 0;
+  WriteImage(folder_ / "given.png", mask);
+  RunHere({"--mask", folder_ / "given.png"});
+  const cv::Mat written = cv::imread(result_ / "mask.png", cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(cv::norm(written, 255 * mask, cv::NORM_INF), 0);
 }
 
 TEST_F(Run, ReadsImagesMatchingAGlobPattern) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pieces of HTML. Every text that is given is escaped; `code` becomes code."""
 
+import base64
 import html
 import re
 from collections.abc import Iterable, Sequence
@@ -56,6 +57,13 @@ def table(caption: str, header: Sequence[object], rows: Iterable[Sequence[object
         f"<table>\n<caption>{markup(caption)}</caption>\n<thead><tr>{head}</tr></thead>\n"
         f"<tbody>\n{body}</tbody>\n</table>\n</div>\n"
     )
+
+
+def picture(png: bytes, caption: str) -> str:
+    """Returns a PNG image with a caption, which is its text for those who do not see it, too."""
+    source = f"data:image/png;base64,{base64.b64encode(png).decode()}"
+    image = f'<img src="{source}" alt="{attribute(caption)}">'
+    return f"<figure>\n{image}\n<figcaption>{markup(caption)}</figcaption>\n</figure>\n"
 
 
 def _cells(row: Sequence[object]) -> str:

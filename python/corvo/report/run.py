@@ -50,6 +50,7 @@ class Run:
     timing: Timing
     options: dict[str, Option]
     inputs: dict[str, str]
+    mask_png: bytes | None  # Where the last image was masked.
 
     @property
     def is_alone(self) -> bool:
@@ -117,7 +118,13 @@ def _open(
         timing=read_timing(result),
         options=read_options(result),
         inputs=input_options(result),
+        mask_png=_mask(result),
     )
+
+
+def _mask(result: Result) -> bytes | None:
+    file = result.folder / "mask.png"
+    return file.read_bytes() if file.is_file() else None
 
 
 def _names(folders: list[Path]) -> list[str]:

@@ -8,7 +8,7 @@ from corvo.report.doubts import doubts_of
 from corvo.report.error_figures import error_figures
 from corvo.report.figure import Figure
 from corvo.report.frame_figures import masked_figure, timeline
-from corvo.report.html import bullets, number, paragraph, table
+from corvo.report.html import bullets, number, paragraph, picture, table
 from corvo.report.options_tables import options_tables
 from corvo.report.run import Run
 from corvo.report.section import Section
@@ -33,11 +33,18 @@ def make_sections(runs: Sequence[Run]) -> list[Section]:
     ]
     if masked:
         text = paragraph(
-            "Texture that stays in place while the scene moves, such as a bonnet, is masked. The "
-            "result has its share of each image, not its outline; `corvo run --draw` shows it."
+            "Texture that stays in place while the scene moves, such as a bonnet, is masked."
         )
-        sections.insert(5, Section("masked", "Masked areas", [text, masked]))
+        sections.insert(5, Section("masked", "Masked areas", [text, masked, *_masks(runs)]))
     return sections
+
+
+def _masks(runs: Sequence[Run]) -> list[str]:
+    return [
+        picture(run.mask_png, f"{run.name}: black is what was masked in the last image.")
+        for run in runs
+        if run.mask_png
+    ]
 
 
 def _or_none(figures: Sequence[Figure]) -> list[str | Figure]:
