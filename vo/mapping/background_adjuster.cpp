@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "vo/mapping/keyframe_location.h"
 #include "vo/optimization/point_selection.h"
 
 namespace corvo {
@@ -173,8 +174,11 @@ AdjustmentStatus BackgroundAdjuster::UseCalibration(Map& map) {
   map.SetCamera(Camera(prior_.Apply(estimate_.difference)));
   if (prior_rejected_ || !result.bundle) return result.status;
   WriteBack(*result.bundle, map);
+  // Keyframes that were inserted since have poses by the camera of before; the next window adjusts
+  // them to the new one.
+  LocateNewerKeyframes(*result.bundle, options_, map);
   adjusted_to_ = map.camera();
-  newest_ = kNoId;  // Keyframes that were inserted since must be adjusted to the new camera.
+  newest_ = kNoId;
   return result.status;
 }
 

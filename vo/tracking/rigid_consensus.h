@@ -6,7 +6,7 @@
 #include "vo/core/options.h"
 #include "vo/map/frame.h"
 #include "vo/map/map.h"
-#include "vo/tracking/landmark_pose.h"
+#include "vo/optimization/landmark_pose.h"
 
 namespace corvo {
 

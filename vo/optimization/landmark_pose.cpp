@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vo/tracking/landmark_pose.h"
+#include "vo/optimization/landmark_pose.h"
 
 #include <utility>
 
