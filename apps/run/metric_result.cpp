@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/calibration_report.h"
 #include "apps/output/final_map.h"
 #include "apps/run/known_length_arguments.h"
 #include "orb/error.h"
@@ -24,27 +25,19 @@ std::vector<PointInSegment> PositionsOf(const std::vector<MapPoint>& points) {
   return positions;
 }
 
-/// Returns the camera of the final trajectory.
-Camera FinalCamera(const RunRecord& record) {
-  if (record.is_refined()) return Camera(record.refinement->adjustment.camera);
-  return record.odometry.camera();
-}
-
-MetricScale ScaleOfDistances(const Trajectory& trajectory, const std::vector<std::string>& texts) {
+MetricScale ScaleOfKnownLengths(const RunArguments& arguments, const RunRecord& record) {
+  const Trajectory& trajectory = record.trajectory;
+  const Camera camera(ReportCalibration(record.odometry, record.refinement).camera);
   std::vector<ScaleMeasurement> measurements;
-  for (const std::string& text : texts) {
+  for (const std::string& text : arguments.known_distances) {
     measurements.push_back(MeasureScale(trajectory, ParseKnownDistance(text)));
   }
-  return InterpolateScale(trajectory, measurements, ScaleSource::kKnownDistance);
-}
-
-MetricScale ScaleOfSizes(const Trajectory& trajectory, const Camera& camera,
-                         const std::vector<std::string>& texts) {
-  std::vector<ScaleMeasurement> measurements;
-  for (const std::string& text : texts) {
+  for (const std::string& text : arguments.known_sizes) {
     measurements.push_back(MeasureScale(trajectory, camera, ParseKnownSize(text)));
   }
-  return InterpolateScale(trajectory, measurements, ScaleSource::kKnownSize);
+  return InterpolateScale(
+      trajectory, measurements,
+      arguments.known_sizes.empty() ? ScaleSource::kKnownDistance : ScaleSource::kKnownSize);
 }
 
 MetricScale FindScale(const RunArguments& arguments, const RunRecord& record) {
@@ -53,13 +46,8 @@ MetricScale FindScale(const RunArguments& arguments, const RunRecord& record) {
     return ScaleOfCameraHeight(trajectory, PositionsOf(PointsInUnits(record)),
                                *arguments.camera_height_m);
   }
-  if (!arguments.known_distances.empty()) {
-    return ScaleOfDistances(trajectory, arguments.known_distances);
-  }
-  if (!arguments.known_sizes.empty()) {
-    return ScaleOfSizes(trajectory, FinalCamera(record), arguments.known_sizes);
-  }
-  return ConstantScale(trajectory, *arguments.meters_per_unit);
+  if (arguments.meters_per_unit) return ConstantScale(trajectory, *arguments.meters_per_unit);
+  return ScaleOfKnownLengths(arguments, record);
 }
 
 /// Returns the segments that have no scale.

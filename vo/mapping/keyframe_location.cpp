@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "vo/mapping/keyframe_location.h"
 
-#include <algorithm>
 #include <unordered_set>
 #include <vector>
 
@@ -53,11 +52,10 @@ class KeyframeLocator {
 }  // namespace
 
 void LocateNewerKeyframes(const Bundle& adjusted, const OdometryOptions& options, Map& map) {
-  const KeyframeId newest =
-      std::ranges::max_element(adjusted.views, {}, &Bundle::View::keyframe)->keyframe;
+  const KeyframeId newest = adjusted.views.back().keyframe;
   KeyframeLocator locator(adjusted, options, map);
-  for (KeyframeId id = newest + 1; id < map.num_keyframes(); ++id) {
-    if (map.IsActive(id) && map.SegmentOf(id) == map.SegmentOf(newest)) locator.Locate(id);
+  for (const KeyframeId id : map.ActiveKeyframes()) {
+    if (id > newest && map.SegmentOf(id) == map.SegmentOf(newest)) locator.Locate(id);
   }
 }
 

@@ -147,15 +147,13 @@ ScaleMeasurement MeasureScale(const Trajectory& trajectory, const Camera& camera
   if (known.views.size() < 2) throw Error("known size: at least two views are needed");
   std::vector<PointView> first_end, second_end;
   const FrameResult& start = PosedFrame(kName, trajectory, known.views.front().frame);
-  int first_frame = start.index, last_frame = start.index;
   for (const ObjectView& view : known.views) {
     const FrameResult& frame = PosedFrame(kName, trajectory, view.frame);
     CheckOneSegment(kName, start, frame);
     first_end.push_back(ViewOf(frame, camera, view.first_end_px));
     second_end.push_back(ViewOf(frame, camera, view.second_end_px));
-    first_frame = std::min(first_frame, frame.index);
-    last_frame = std::max(last_frame, frame.index);
   }
+  const auto [first, last] = std::ranges::minmax_element(known.views, {}, &ObjectView::frame);
   const MeasuredPoint a = MeasurePoint(camera, first_end), b = MeasurePoint(camera, second_end);
   const Eigen::Vector3d between = a.in_world - b.in_world;
   const double units = between.norm();
@@ -167,7 +165,7 @@ ScaleMeasurement MeasureScale(const Trajectory& trajectory, const Camera& camera
         "known size: the views determine it too poorly; the camera must have moved more "
         "between them, or be nearer to the object");
   }
-  return {start.segment, 0.5 * (first_frame + last_frame), {known.meters / units, log_sigma}};
+  return {start.segment, 0.5 * (first->frame + last->frame), {known.meters / units, log_sigma}};
 }
 
 }  // namespace corvo

@@ -3,9 +3,9 @@
 
 from collections.abc import Iterable, Sequence
 
-from corvo.sweep.cells import heading, run_count, spread_text
+from corvo.sweep.cells import cost_cells, heading, metric_cells, run_count, spread_text
 from corvo.sweep.metrics import METRICS
-from corvo.sweep.summary import Group, Rows
+from corvo.sweep.summary import Rows
 
 
 def make_medians(rows: Rows, metrics: Sequence[str], costs: Iterable[tuple[object, ...]]) -> str:
@@ -16,18 +16,14 @@ def make_medians(rows: Rows, metrics: Sequence[str], costs: Iterable[tuple[objec
         metrics: The names of the metrics.
         costs: Name, processor time, memory and time of a run of each sequence.
     """
-    names = [heading(METRICS[name]) for name in metrics]
-    header = ["median (worst)", "options", "runs", *names]
-    lines = [_line(group, metrics) for group in rows.groups(metrics)]
+    shown = [METRICS[name] for name in metrics]
+    header = ["median (worst)", "options", "runs", *map(heading, shown)]
+    lines = [
+        [group.input, group.options, run_count(group), *metric_cells(group, shown, spread_text)]
+        for group in rows.groups(metrics)
+    ]
     cost_header = ["cost", "processor, ms a frame", "memory, MB", "time of a run, s"]
-    cost_lines = [[str(name), *(f"{value:.3g}" for value in values)] for name, *values in costs]
-    return f"{_table(header, lines)}\n{_table(cost_header, cost_lines)}"
-
-
-def _line(group: Group, metrics: Sequence[str]) -> list[str]:
-    spreads = [(group.spreads[name], METRICS[name]) for name in metrics]
-    cells = [spread_text(spread, metric) if spread else "-" for spread, metric in spreads]
-    return [group.input, group.options, run_count(group), *cells]
+    return f"{_table(header, lines)}\n{_table(cost_header, cost_cells(costs))}"
 
 
 def _table(header: Sequence[str], lines: Iterable[Sequence[str]]) -> str:

@@ -8,7 +8,9 @@ from corvo.report.document import make_document
 from corvo.report.figure import Figure
 from corvo.report.html import breakable, details, markup, paragraph, table
 from corvo.report.section import Section
-from corvo.sweep.cells import heading, interval_text, run_count, spread_text
+from corvo.sweep.cells import (
+    cost_cells, heading, interval_text, metric_cells, run_count, spread_text,
+)  # fmt: skip
 from corvo.sweep.child import Outcome
 from corvo.sweep.figures import coverage_figure, cumulative_figure, spread_figure
 from corvo.sweep.metrics import METRICS, Metric
@@ -103,12 +105,11 @@ def _group_table(
     header = ["Sequence", *(["Options"] if has_options else []), "Runs", *map(heading, metrics)]
     lines = []
     for group in groups[:_MAX_ROWS]:
-        spreads = [(group.spreads[metric.name], metric) for metric in metrics]
         lines.append((
             group.input,
             *([breakable(group.options)] if has_options else []),
             run_count(group),
-            *(cell(spread, metric) if spread else "-" for spread, metric in spreads),
+            *metric_cells(group, metrics, cell),
         ))  # fmt: skip
     return table(caption, header, lines)
 
@@ -165,6 +166,6 @@ def _failures(failures: Sequence[tuple[str, str, str, Outcome]]) -> str:
 
 def _costs(costs: Sequence[tuple[object, ...]]) -> str:
     header = ["Sequence", "Processor, ms a frame", "Memory, MB", "Time of a run, s"]
-    lines = [(name, *(f"{value:.3g}" for value in values)) for name, *values in costs[:_MAX_ROWS]]
+    lines = cost_cells(costs[:_MAX_ROWS])
     text = paragraph("Medians over the runs that did not fail; memory is the most of any.")
     return text + table("Cost", header, lines) + _cut(len(costs))
